@@ -71,14 +71,14 @@ std::optional<std::string> never_rests(const Body<D>& body, const Rolling& groun
 
 template <int D>
 std::vector<FreeRoller> free_rollers(const Scenario& scenario, const Instances& instances,
-                                     const World<D>& world, const Surfaces& surfaces) {
+                                     const World<D>& world, const WorldLaws& laws) {
   std::vector<FreeRoller> found;
   const double g = world.gravity().norm();
   if (!scenario.bodies.empty() || scenario.method != Method::nscd || g == 0) return found;  // points slide
   for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i) {
     const Body<D>& body = world.bodies[i];
     for (int part = 0; is_round(body) && part < static_cast<int>(parts_of(world.terrain()).size()); ++part) {
-      const int index = surfaces.material_with_terrain(world, i, part);
+      const int index = laws.material_with_terrain(world, i, part);
       if (index < 0) continue;
       const Material& material = scenario.materials[index];
       const std::string path = "materials." + material.name;
@@ -89,7 +89,7 @@ std::vector<FreeRoller> free_rollers(const Scenario& scenario, const Instances& 
         continue;
       }
       const RollingLaw& law = *instances.materials[index].rolling;
-      const auto ground = resistance_to(body, law, *material.rolling, scenario, surfaces.key_of(i));
+      const auto ground = resistance_to(body, law, *material.rolling, scenario, laws.key_of(i));
       if (!ground) continue;
       if (const auto why = never_rests(body, *ground, g, scenario.stop.time))
         found.push_back({path + ".rolling", *why});
@@ -99,8 +99,8 @@ std::vector<FreeRoller> free_rollers(const Scenario& scenario, const Instances& 
 }
 
 template std::vector<FreeRoller> free_rollers(const Scenario&, const Instances&, const World<2>&,
-                                              const Surfaces&);
+                                              const WorldLaws&);
 template std::vector<FreeRoller> free_rollers(const Scenario&, const Instances&, const World<3>&,
-                                              const Surfaces&);
+                                              const WorldLaws&);
 
 }  // namespace flyrock

@@ -21,6 +21,6 @@ struct FreeRoller {
 /// on level ground; one that fails is skipped.
 template <int D>
 std::vector<FreeRoller> free_rollers(const Scenario& scenario, const Instances& instances,
-                                     const World<D>& world, const Surfaces& surfaces);
+                                     const World<D>& world, const WorldLaws& laws);
 
 }  // namespace flyrock

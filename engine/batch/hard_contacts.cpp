@@ -93,13 +93,13 @@ std::optional<RestitutionForm> form_of(int material, const DrawKey& key, const S
 
 template <int D>
 std::vector<SpringSwing> spring_swings(const Scenario& scenario, const Instances& instances,
-                                       const World<D>& world, const Surfaces& surfaces) {
+                                       const World<D>& world, const WorldLaws& laws) {
   std::vector<SpringSwing> swings;
   if (!scenario.solver.time_step) return swings;  // chosen steps are short enough
   const double time_step = *scenario.solver.time_step;
   const auto consider = [&](int material, int owner, double w, const std::string& bodies) {
     if (material < 0 || w == 0) return;
-    const double stiffness = stiffness_of(material, surfaces.key_of(owner), scenario, instances);
+    const double stiffness = stiffness_of(material, laws.key_of(owner), scenario, instances);
     if (stiffness == 0) return;
     const SpringSwing swing{material, time_step * std::sqrt(stiffness * w), stiffness, bodies};
     const auto known = std::find_if(swings.begin(), swings.end(),
@@ -117,32 +117,31 @@ std::vector<SpringSwing> spring_swings(const Scenario& scenario, const Instances
   for (int i = 0; i < bodies; ++i) {
     const std::string name = "`" + world.bodies[i].group + "`";
     for (int part = 0; part < static_cast<int>(parts_of(world.terrain()).size()); ++part)
-      consider(surfaces.material_with_terrain(world, i, part), i, w[i], name);
+      consider(laws.material_with_terrain(world, i, part), i, w[i], name);
     for (int j = i + 1; j < bodies && world.settings().body_contacts; ++j)
       if (w[i] + w[j] > 0)
-        consider(surfaces.material_between(i, j), i, w[i] + w[j],
-                 name + " and `" + world.bodies[j].group + "`");
+        consider(laws.material_between(i, j), i, w[i] + w[j], name + " and `" + world.bodies[j].group + "`");
   }
   return swings;
 }
 
 template <int D>
 std::vector<CornerUnderLaw> corners_under_laws(const Scenario& scenario, const Instances& instances,
-                                               const World<D>& world, const Surfaces& surfaces) {
+                                               const World<D>& world, const WorldLaws& laws) {
   std::vector<CornerUnderLaw> found;
   const int bodies = static_cast<int>(world.bodies.size());
   const auto gives_velocity = [&](int material, int owner) {
     return material >= 0 &&
-           form_of(material, surfaces.key_of(owner), scenario, instances) == RestitutionForm::velocity;
+           form_of(material, laws.key_of(owner), scenario, instances) == RestitutionForm::velocity;
   };
   const auto is_cornered = [&](int i) { return world.bodies[i].moves() && has_corners(world.bodies[i]); };
   for (int i = 0; i < bodies; ++i) {
     for (int part = 0; is_cornered(i) && part < static_cast<int>(parts_of(world.terrain()).size()); ++part)
-      if (const int material = surfaces.material_with_terrain(world, i, part); gives_velocity(material, i))
+      if (const int material = laws.material_with_terrain(world, i, part); gives_velocity(material, i))
         found.push_back({material, i});
     for (int j = i + 1; j < bodies && world.settings().body_contacts; ++j) {
       if (!is_cornered(i) && !is_cornered(j)) continue;
-      if (const int material = surfaces.material_between(i, j); gives_velocity(material, i))
+      if (const int material = laws.material_between(i, j); gives_velocity(material, i))
         found.push_back({material, is_cornered(i) ? i : j});
     }
   }
@@ -164,13 +163,13 @@ MassRatio mass_ratio(const World<D>& world) {
 }
 
 template std::vector<SpringSwing> spring_swings(const Scenario&, const Instances&, const World<2>&,
-                                                const Surfaces&);
+                                                const WorldLaws&);
 template std::vector<SpringSwing> spring_swings(const Scenario&, const Instances&, const World<3>&,
-                                                const Surfaces&);
+                                                const WorldLaws&);
 template std::vector<CornerUnderLaw> corners_under_laws(const Scenario&, const Instances&, const World<2>&,
-                                                        const Surfaces&);
+                                                        const WorldLaws&);
 template std::vector<CornerUnderLaw> corners_under_laws(const Scenario&, const Instances&, const World<3>&,
-                                                        const Surfaces&);
+                                                        const WorldLaws&);
 template MassRatio mass_ratio(const World<2>&);
 template MassRatio mass_ratio(const World<3>&);
 

@@ -26,7 +26,7 @@ struct SpringSwing {
 /// the normal of a face.
 template <int D>
 std::vector<SpringSwing> spring_swings(const Scenario& scenario, const Instances& instances,
-                                       const World<D>& world, const Surfaces& surfaces);
+                                       const World<D>& world, const WorldLaws& laws);
 
 /// A moving body with corners that can touch something by a restitution law of form `velocity`.
 struct CornerUnderLaw {
@@ -35,7 +35,7 @@ struct CornerUnderLaw {
 };
 template <int D>
 std::vector<CornerUnderLaw> corners_under_laws(const Scenario& scenario, const Instances& instances,
-                                               const World<D>& world, const Surfaces& surfaces);
+                                               const World<D>& world, const WorldLaws& laws);
 
 /// The heaviest and the lightest moving body of a world.
 struct MassRatio {

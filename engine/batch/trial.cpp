@@ -159,7 +159,7 @@ class TrialRunner::Trials : public OfDimension {
   void map(const TrialRock& rock, const BodyHistory& history, PlanCells& cells, TrialRecords& out) const;
   void record_inputs(std::uint64_t trial, int index, const TrialRock& rock, TrialRecords& out) const;
   void record_impact_draws(std::uint64_t trial, int index, const TrialRock& rock, const World<D>& world,
-                           const Surfaces& surfaces, const BodyHistory& history, TrialRecords& out) const;
+                           const WorldLaws& laws, const BodyHistory& history, TrialRecords& out) const;
 
   const Scenario& scenario_;
   TrialBuilder<D> builder_;
@@ -340,12 +340,11 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
       if (!grid.empty()) map(rock, history, cells[rock.world][rock.body], out);
       record_inputs(number, static_cast<int>(i), rock, out);
       if (scenario_.method != Method::ballistic && settings.keep_impacts && scenario_.output.impacts)
-        record_impact_draws(number, static_cast<int>(i), rock, world, trial.surfaces[rock.world], history,
-                            out);
+        record_impact_draws(number, static_cast<int>(i), rock, world, trial.laws[rock.world], history, out);
     }
     if (!rock.note.empty()) out.totals.add_note(rock.note);
   }
-  for (const Surfaces& surfaces : trial.surfaces) surfaces.add_use(out.totals.materials);
+  for (const WorldLaws& laws : trial.laws) laws.add_use(out.totals.materials);
   if (!scenario_.bodies.empty()) out.totals.bodies = histories.front();
 }
 
@@ -368,8 +367,8 @@ void TrialRunner::Trials<D>::run_points(Trial<D>& trial, const RunSettings& sett
       run.rest_speed = world.settings().rest_speed;
       run.keep_extremes = !scenario_.bodies.empty();
       run.origin = world.origin;
-      Surfaces& laws = trial.surfaces[rock.world];
-      run.surfaces = laws.of_point(world, rock.body);
+      WorldLaws& laws = trial.laws[rock.world];
+      run.laws = laws.of_point(world, rock.body);
       run.quality = &world.quality();
     }
     try {
@@ -487,12 +486,12 @@ void TrialRunner::Trials<D>::record_inputs(std::uint64_t trial, int index, const
 /// tilt that was used. Draws of a pair of bodies belong to the first of them.
 template <int D>
 void TrialRunner::Trials<D>::record_impact_draws(std::uint64_t trial, int index, const TrialRock& rock,
-                                                 const World<D>& world, const Surfaces& surfaces,
+                                                 const World<D>& world, const WorldLaws& laws,
                                                  const BodyHistory& history, TrialRecords& out) const {
   for (const Impact& impact : history.impacts) {
     if (impact.body != rock.body) continue;
-    const int material = impact.other < 0 ? surfaces.material_with_terrain(world, rock.body, impact.part)
-                                          : surfaces.material_between(rock.body, impact.other);
+    const int material = impact.other < 0 ? laws.material_with_terrain(world, rock.body, impact.part)
+                                          : laws.material_between(rock.body, impact.other);
     if (material < 0) continue;
     DrawKey key = rock.key;
     key.impact = static_cast<std::uint64_t>(impact.number);

@@ -103,8 +103,8 @@ template <int D>
 void find_hard_contacts(const Scenario& scenario, const Instances& instances, const Trial<D>& trial,
                         TriedOut& tried) {
   if (scenario.method != Method::nscd) return;  // points have no contact scheme and do not meet
-  for (std::size_t w = 0; w < trial.surfaces.size(); ++w)
-    for (const SpringSwing& swing : spring_swings(scenario, instances, trial.worlds[w], trial.surfaces[w])) {
+  for (std::size_t w = 0; w < trial.laws.size(); ++w)
+    for (const SpringSwing& swing : spring_swings(scenario, instances, trial.worlds[w], trial.laws[w])) {
       if (swing.angle <= inaccurate_spring) continue;
       const std::string text = fmt::format(
           "the time step is too long for this spring: {:.4g} deg per step with {}. Bounces are inaccurate "
@@ -133,9 +133,8 @@ template <int D>
 void find_cornered_impacts(const Scenario& scenario, const Instances& instances, const Trial<D>& trial,
                            TriedOut& tried) {
   if (scenario.method != Method::nscd) return;  // points have no corners
-  for (std::size_t w = 0; w < trial.surfaces.size(); ++w)
-    for (const CornerUnderLaw& c :
-         corners_under_laws(scenario, instances, trial.worlds[w], trial.surfaces[w]))
+  for (std::size_t w = 0; w < trial.laws.size(); ++w)
+    for (const CornerUnderLaw& c : corners_under_laws(scenario, instances, trial.worlds[w], trial.laws[w]))
       add(tried.errors, fmt::format("materials.{}.restitution", scenario.materials[c.material].name),
           corners_text(trial.worlds[w].bodies[c.body].group));
 }
@@ -144,8 +143,8 @@ void find_cornered_impacts(const Scenario& scenario, const Instances& instances,
 template <int D>
 void find_free_rollers(const Scenario& scenario, const Instances& instances, const Trial<D>& trial,
                        TriedOut& tried) {
-  for (std::size_t w = 0; w < trial.surfaces.size(); ++w)
-    for (const FreeRoller& roller : free_rollers(scenario, instances, trial.worlds[w], trial.surfaces[w]))
+  for (std::size_t w = 0; w < trial.laws.size(); ++w)
+    for (const FreeRoller& roller : free_rollers(scenario, instances, trial.worlds[w], trial.laws[w]))
       add(tried.warnings, roller.path, roller.why);
 }
 

@@ -31,7 +31,7 @@ Vec3 slip_direction(const Vec3& normal, const Vec3& v) {
 }  // namespace
 
 template <int D>
-ContactState PointContact<D>::state_of(const Face<D>& face, const Surface& surface, const Vec<D>& normal,
+ContactState PointContact<D>::state_of(const Face<D>& face, const PairLaws& laws, const Vec<D>& normal,
                                        double time, const Vec<D>& at, const Vec<D>& v) const {
   const double vn = normal.dot(v);
   const Vec<D> slip = v - vn * normal;
@@ -52,22 +52,22 @@ ContactState PointContact<D>::state_of(const Face<D>& face, const Surface& surfa
   state.slip.template head<D>() = slip;
   state.group_a = body_.group;
   state.group_b = terrain_.names()[face.part];
-  state.material = surface.material;
+  state.material = laws.material;
   return state;
 }
 
 /// The normal of the face, tilted by the roughness of its material: the tilt is added to the dip along the
 /// motion, and in 3D a second one to the dip across it.
 template <int D>
-typename PointContact<D>::Tilted PointContact<D>::tilted(const Face<D>& face, const Surface& surface,
+typename PointContact<D>::Tilted PointContact<D>::tilted(const Face<D>& face, const PairLaws& laws,
                                                          const Vec<D>& v) const {
   constexpr int most_draws = 100;
-  const Roughness& roughness = surface.roughness;
+  const Roughness& roughness = laws.roughness;
   const Vec<D> along = slip_direction(face.normal, v);
-  const DrawKey& key = surface.key;  // of this impact
+  const DrawKey& key = laws.key;  // of this impact
   for (int i = 0; i < most_draws; ++i) {
     const auto angle = [&](int n) {
-      return roughness.draw ? value_of(*roughness.draw, surface.seed, key, n) : roughness.constant;
+      return roughness.draw ? value_of(*roughness.draw, laws.seed, key, n) : roughness.constant;
     };
     const double ahead = angle(2 * i);
     if (!(std::abs(ahead) < 0.5 * pi)) continue;
@@ -86,27 +86,27 @@ typename PointContact<D>::Tilted PointContact<D>::tilted(const Face<D>& face, co
 }
 
 template <int D>
-typename PointContact<D>::Tilted PointContact<D>::begin_impact(const Face<D>& face, Surface* surface,
+typename PointContact<D>::Tilted PointContact<D>::begin_impact(const Face<D>& face, PairLaws* laws,
                                                                const Vec<D>& v) {
   ++impacts_;
   age_ = 0;
-  if (!surface) return {face.normal};
-  surface->begin_instant();
-  surface->begin_impact(static_cast<std::uint64_t>(impacts_));
-  if (surface->remembers_contacts()) memory_ = {};
+  if (!laws) return {face.normal};
+  laws->begin_instant();
+  laws->begin_impact(static_cast<std::uint64_t>(impacts_));
+  if (laws->remembers_contacts()) memory_ = {};
   memory_part_ = face.part;
-  ++surface->use.contacts;
-  return surface->roughness.any() ? tilted(face, *surface, v) : Tilted{face.normal};
+  ++laws->use.contacts;
+  return laws->roughness.any() ? tilted(face, *laws, v) : Tilted{face.normal};
 }
 
 template <int D>
 typename PointContact<D>::Bounce PointContact<D>::strike(const Face<D>& face, double time, const Vec<D>& at,
                                                          Vec<D>& v) {
-  Surface* surface = surfaces_[face.part];
+  PairLaws* laws = laws_[face.part];
   since_ = time;
-  Bounce bounce{begin_impact(face, surface, v), {}, {}};
-  if (surface && surface->reads_state()) state_ = state_of(face, *surface, bounce.face.normal, time, at, v);
-  const ContactLaw law = surface ? surface->ask(state_, true, memory_) : ContactLaw{};
+  Bounce bounce{begin_impact(face, laws, v), {}, {}};
+  if (laws && laws->reads_state()) state_ = state_of(face, *laws, bounce.face.normal, time, at, v);
+  const ContactLaw law = laws ? laws->ask(state_, true, memory_) : ContactLaw{};
   const auto frame = contact_frame(bounce.face.normal);
   bounce.before = frame.transpose() * v;
   bounce.after = rebound_of_point<D>(bounce.before, law, law.mu_d);
@@ -139,29 +139,29 @@ Impact PointContact<D>::record(const Face<D>& face, double time, const Vec<D>& a
 template <int D>
 typename PointContact<D>::Grip PointContact<D>::grip(const Face<D>& face, double time, const Vec<D>& at,
                                                      const Vec<D>& v, double press) {
-  Surface* surface = surfaces_[face.part];
-  if (!surface) return {};
+  PairLaws* laws = laws_[face.part];
+  if (!laws) return {};
   if (memory_part_ != face.part) {
     memory_ = {};
     memory_part_ = face.part;
     since_ = time;
   }
   age_ = time - since_;
-  ++surface->use.contacts;
-  surface->begin_instant();
-  const ContactLaw* known = surface->known();
+  ++laws->use.contacts;
+  laws->begin_instant();
+  const ContactLaw* known = laws->known();
   Grip grip;
   ContactLaw law;
   if (known) {
     law = *known;
   } else {
-    ContactState state = state_of(face, *surface, face.normal, time, at, v);
+    ContactState state = state_of(face, *laws, face.normal, time, at, v);
     state.was_sticking = v.isZero(0);
-    law = surface->ask(state, false, memory_);
-    grip.constant = surface->is_known();
+    law = laws->ask(state, false, memory_);
+    grip.constant = laws->is_known();
   }
   double slides = law.mu_d, holds = law.mu_s;
-  if (surface->rolling.law) {
+  if (laws->rolling.law) {
     const double rolls = law.mu_r / body_.radius;
     grip.rolls = rolls < slides;
     slides = std::min(slides, rolls);

@@ -6,18 +6,18 @@
 #include "flight/face.h"
 #include "record/observe.h"
 #include "world/body.h"
-#include "world/surface.h"
+#include "world/pair_laws.h"
 
 namespace flyrock {
 
-/// The contacts of one point. Surfaces are given for each part of the terrain; a part without one has neither
+/// The contacts of one point. Laws are given for each part of the terrain; a part without one has neither
 /// restitution nor friction.
 template <int D>
 class PointContact {
  public:
   PointContact(const Body<D>& body, const typename Geometry<D>::Terrain& terrain, const Vec<D>& origin,
-               std::span<Surface* const> surfaces)
-      : body_(body), terrain_(terrain), origin_(origin), surfaces_(surfaces) {}
+               std::span<PairLaws* const> laws)
+      : body_(body), terrain_(terrain), origin_(origin), laws_(laws) {}
 
   /// The face as an impact meets it: tilted by the roughness of its material.
   struct Tilted {
@@ -50,16 +50,16 @@ class PointContact {
   int impacts() const { return impacts_; }
 
  private:
-  ContactState state_of(const Face<D>& face, const Surface& surface, const Vec<D>& normal, double time,
+  ContactState state_of(const Face<D>& face, const PairLaws& laws, const Vec<D>& normal, double time,
                         const Vec<D>& at, const Vec<D>& v) const;
   /// Counts the impact and draws what is drawn at each.
-  Tilted begin_impact(const Face<D>& face, Surface* surface, const Vec<D>& v);
-  Tilted tilted(const Face<D>& face, const Surface& surface, const Vec<D>& v) const;
+  Tilted begin_impact(const Face<D>& face, PairLaws* laws, const Vec<D>& v);
+  Tilted tilted(const Face<D>& face, const PairLaws& laws, const Vec<D>& v) const;
 
   const Body<D>& body_;
   const typename Geometry<D>::Terrain& terrain_;
   Vec<D> origin_;
-  std::span<Surface* const> surfaces_;
+  std::span<PairLaws* const> laws_;
   ContactState state_;  ///< of the last impact whose laws read it
   ContactHistory memory_{};
   int memory_part_ = -1;

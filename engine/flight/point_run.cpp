@@ -68,7 +68,7 @@ class PointRunner {
         now_{false, false, run.start_time, body.x, body.v},
         log_(body, terrain, run, history_),
         rest_(RestWatch::Kind::point, run.stop_speed, history_),
-        contact_(body, terrain, run.origin, run.surfaces),
+        contact_(body, terrain, run.origin, run.laws),
         audit_(body, run.forces.gravity),
         slow_(std::max(0.05 * run.rest_speed, 1e-9)),
         crossing_(run, terrain, body.x, body.volume, run.key, history_) {}

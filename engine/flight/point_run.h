@@ -16,12 +16,12 @@ struct PointRun : AnyRun {
   PlanCells* cells = nullptr;  ///< where the path is recorded for maps; null: nowhere; 3D only
   DrawKey key;                 ///< of the draws of the rock, for trees
 
-  bool ends_at_touch = true;       ///< all below, and stop_speed and keep_impacts, are of a run that goes on
-  double rest_speed = 0.02;        ///< m/s; an approach that is not faster has no restitution
-  bool keep_extremes = true;       ///< of each component of the state, BodyHistory::min and max
-  Vec<D> origin = Vec<D>::Zero();  ///< from where the engine counts, for the laws [m]
-  std::span<Surface* const> surfaces;  ///< of each part of the terrain; null: no laws
-  SolverQuality* quality = nullptr;    ///< where impacts and gains of energy are counted; may be null
+  bool ends_at_touch = true;        ///< all below, and stop_speed and keep_impacts, are of a run that goes on
+  double rest_speed = 0.02;         ///< m/s; an approach that is not faster has no restitution
+  bool keep_extremes = true;        ///< of each component of the state, BodyHistory::min and max
+  Vec<D> origin = Vec<D>::Zero();   ///< from where the engine counts, for the laws [m]
+  std::span<PairLaws* const> laws;  ///< of each part of the terrain; null: no laws
+  SolverQuality* quality = nullptr;  ///< where impacts and gains of energy are counted; may be null
 };
 
 /// Moves the body from its position with its velocity. Its spin counts only in a run that ends at the first

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "plugin/registry.h"
-#include "world/surface.h"
+#include "world/pair_laws.h"
 
 namespace flyrock {
 
@@ -46,7 +46,7 @@ class SampledLaw {
 
   /// Replaces the values of the parameters and clears the law's memory.
   void set(std::vector<double> values) {
-    surface_ = {};  // its answers of a constant law hold for the old values
+    laws_ = {};  // its answers of a constant law hold for the old values
     bound().law = law_.get();
     bound().values = std::move(values);
     bound().memory = memory_;
@@ -62,22 +62,22 @@ class SampledLaw {
 
   ContactLaw operator()(ContactState state) {
     ContactHistory of_contact{};
-    surface_.begin_instant();
-    return surface_.ask(state, std::is_same_v<LawKind, RestitutionLaw>, of_contact);
+    laws_.begin_instant();
+    return laws_.ask(state, std::is_same_v<LawKind, RestitutionLaw>, of_contact);
   }
 
  private:
   BoundLaw<LawKind>& bound() {
-    if constexpr (std::is_same_v<LawKind, RestitutionLaw>) return surface_.restitution;
-    if constexpr (std::is_same_v<LawKind, FrictionLaw>) return surface_.friction;
-    if constexpr (std::is_same_v<LawKind, RollingLaw>) return surface_.rolling;
-    if constexpr (std::is_same_v<LawKind, UnilateralLaw>) return surface_.unilateral;
+    if constexpr (std::is_same_v<LawKind, RestitutionLaw>) return laws_.restitution;
+    if constexpr (std::is_same_v<LawKind, FrictionLaw>) return laws_.friction;
+    if constexpr (std::is_same_v<LawKind, RollingLaw>) return laws_.rolling;
+    if constexpr (std::is_same_v<LawKind, UnilateralLaw>) return laws_.unilateral;
   }
 
   std::unique_ptr<LawKind> law_;
   std::size_t memory_;
   bool of_contact_;
-  Surface surface_;
+  PairLaws laws_;
 };
 
 }  // namespace flyrock

@@ -23,9 +23,9 @@ constexpr int most_places = 1000;
 
 std::string release_path(int group) { return fmt::format("rocks.{}.release", group); }
 
-/// Surfaces cannot move, and a deque that shrinks leaves the others where they are.
-void shorten(std::deque<Surfaces>& surfaces, std::size_t size) {
-  while (surfaces.size() > size) surfaces.pop_back();
+/// WorldLaws cannot move, and a deque that shrinks leaves the others where they are.
+void shorten(std::deque<WorldLaws>& laws, std::size_t size) {
+  while (laws.size() > size) laws.pop_back();
 }
 
 bool is_random(const std::optional<Release>& release) {
@@ -119,7 +119,7 @@ Vec<D> TrialBuilder<D>::gravity(const DrawKey& key) const {
 template <int D>
 void TrialBuilder<D>::connect(Trial<D>& trial, World<D>& world, std::vector<Partner> partners) {
   at_path("pairs",
-          [&] { trial.surfaces.emplace_back(scenario_, instances_, std::move(partners)).connect(world); });
+          [&] { trial.laws.emplace_back(scenario_, instances_, std::move(partners)).connect(world); });
 }
 
 template <int D>
@@ -129,9 +129,9 @@ void TrialBuilder<D>::build(std::uint64_t number_of_trial, Trial<D>& trial) {
   trial.worlds.clear();
   trial.rocks.clear();
   trial.starts.clear();
-  // Points that are alone on the same ground use the surfaces of the trial before.
+  // Points that are alone on the same ground use the laws of the trial before.
   const bool alone = scenario_.bodies.empty() && !scenario_.rock_contacts;
-  if (scenario_.method != Method::lumped_mass || !alone || terrain != trial.terrain) trial.surfaces.clear();
+  if (scenario_.method != Method::lumped_mass || !alone || terrain != trial.terrain) trial.laws.clear();
   trial.terrain = std::move(terrain);
   if (scenario_.bodies.empty())
     build_rocks(trial, number_of_trial);
@@ -171,20 +171,20 @@ void TrialBuilder<D>::build_alone(Trial<D>& trial, const RockPlan<D>& plan, Part
     throw;
   }
   if (scenario_.method == Method::lumped_mass)
-    give_surfaces(trial, std::move(partner));
+    give_laws(trial, std::move(partner));
   else if (!is_point)
     connect(trial, world, {std::move(partner)});
 }
 
-/// The surfaces of the last world, which is that of one point.
+/// The laws of the last world, which is that of one point.
 template <int D>
-void TrialBuilder<D>::give_surfaces(Trial<D>& trial, Partner partner) const {
+void TrialBuilder<D>::give_laws(Trial<D>& trial, Partner partner) const {
   const std::size_t earlier = trial.worlds.size() - 1;
-  if (trial.surfaces.size() > earlier) {  // of the trial before
-    if (trial.surfaces[earlier].serve(partner)) return;
-    shorten(trial.surfaces, earlier);
+  if (trial.laws.size() > earlier) {  // of the trial before
+    if (trial.laws[earlier].serve(partner)) return;
+    shorten(trial.laws, earlier);
   }
-  trial.surfaces.emplace_back(scenario_, instances_, std::vector{std::move(partner)});
+  trial.laws.emplace_back(scenario_, instances_, std::vector{std::move(partner)});
 }
 
 /// A rock in a world with others. A rock with a random release is placed again until it touches none of them.
@@ -296,7 +296,7 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
     }
   }
   if (!scenario_.rock_contacts) {
-    shorten(trial.surfaces, trial.worlds.size());
+    shorten(trial.laws, trial.worlds.size());
     return;
   }
   if (partners.empty())
@@ -370,7 +370,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     if (world.bodies.back().kind == BodyKind::dynamic) trial.rocks.push_back(rock);
   }
   if (scenario_.method == Method::lumped_mass) {
-    trial.surfaces.emplace_back(scenario_, instances_, std::move(partners));
+    trial.laws.emplace_back(scenario_, instances_, std::move(partners));
     for (const TrialRock& rock : trial.rocks)
       if (const std::string fault =
               start_fault_of_point(world.bodies[rock.body], ground_of(*trial.terrain), origin());

@@ -11,7 +11,7 @@
 #include "trial/instances.h"
 #include "trial/outcomes.h"
 #include "trial/place_rock.h"
-#include "trial/surfaces.h"
+#include "trial/world_laws.h"
 #include "world/world.h"
 
 namespace flyrock {
@@ -49,7 +49,7 @@ struct Trial {
   std::shared_ptr<const typename Geometry<D>::Terrain> terrain;
   std::vector<World<D>> worlds;  ///< one for each rock, or one for all if rocks meet each other
   std::vector<TrialRock> rocks;
-  std::deque<Surfaces> surfaces;  ///< one for each world; none for `ballistic`, which has no contacts
+  std::deque<WorldLaws> laws;  ///< one for each world; none for `ballistic`, which has no contacts
   /// Where the rock of each world starts, if all trials have the same rocks, apart from their orientation;
   /// otherwise empty.
   std::vector<Vec<D>> starts;
@@ -142,7 +142,7 @@ class TrialBuilder {
   void ask_launch(TrialRock& rock, const Place<D>& place, const Terrain& terrain, Body<D>& body);
   Partner partner_of(const RockPlan<D>& plan, const TrialRock& rock) const;
   World<D>& add_world(Trial<D>& trial, const DrawKey& key) const;
-  void give_surfaces(Trial<D>& trial, Partner partner) const;
+  void give_laws(Trial<D>& trial, Partner partner) const;
   Vec<D> gravity(const DrawKey& key) const;
   Air<D> air_of(const Body<D>& body, const DrawKey& key) const;
   void connect(Trial<D>& trial, World<D>& world, std::vector<Partner> partners);

@@ -80,7 +80,7 @@ void TrialBuilder<D>::begin_again(Trial<D>& trial, std::uint64_t number) {
       body.attitude = last_made(rock).body.attitude;
       turn_at_random(rock, body);
     }
-    if (scenario_.method == Method::lumped_mass) trial.surfaces[rock.world].begin_rock(rock.key);
+    if (scenario_.method == Method::lumped_mass) trial.laws[rock.world].begin_rock(rock.key);
   }
 }
 

@@ -30,9 +30,9 @@ WorldSettings steps_of(double h) {
 template <int D>
 void run_with(World<D>& world, bool grip) {
   static const Grip law;
-  Surface surface;
-  if (grip) surface.friction.law = &law;
-  world.surface_between = [&](int, int) { return &surface; };
+  PairLaws laws;
+  if (grip) laws.friction.law = &law;
+  world.laws_between = [&](int, int) { return &laws; };
   RunSettings settings;
   settings.stop_time = lasts;
   settings.stop_speed = 0;

@@ -68,7 +68,7 @@ ContactState World<D>::state_of(const Contact& contact, double h) {
   patch_.clear();
   std::size_t which = 0;
   for (const Contact& other : contacts_) {
-    if (other.surface == contact.surface) state.pair_age = std::max(state.pair_age, other.age);
+    if (other.laws == contact.laws) state.pair_age = std::max(state.pair_age, other.age);
     if (&other == &contact) which = patch_.size();
     if (other.candidate == contact.candidate && other.antagonist == contact.antagonist &&
         same_direction<D>(other.at.normal, contact.at.normal))
@@ -97,7 +97,7 @@ ContactState World<D>::state_of(const Contact& contact, double h) {
     state.group_b = bodies[contact.antagonist].group;
   else
     state.group_b = terrain_->names()[part_of(*terrain_, contact.at.against)];
-  state.material = contact.surface->material;
+  state.material = contact.laws->material;
   return state;
 }
 
@@ -127,28 +127,28 @@ void World<D>::begin_manifolds() {
 
 template <int D>
 void World<D>::ask_law(Contact& contact, double h) {
-  Surface* surface = contact.surface;
-  if (!surface) {
+  PairLaws* laws = contact.laws;
+  if (!laws) {
     contact.law = {};
     return;
   }
-  ++surface->use.contacts;
+  ++laws->use.contacts;
   const bool impact = contact.manifold >= 0;
-  if (impact) surface->begin_impact(contact.impact_number);
-  if (const ContactLaw* known = impact ? nullptr : surface->known()) {
+  if (impact) laws->begin_impact(contact.impact_number);
+  if (const ContactLaw* known = impact ? nullptr : laws->known()) {
     contact.law = *known;
     return;
   }
   ContactState state;
-  if (surface->reads_state()) state = state_of(contact, h);
-  contact.law = surface->ask(state, impact, contact.history);
+  if (laws->reads_state()) state = state_of(contact, h);
+  contact.law = laws->ask(state, impact, contact.history);
 }
 
 /// Impacts come first, because a resting contact uses the values that were drawn for the last impact of its
 /// pair.
 template <int D>
 void World<D>::ask_laws(double h) {
-  for (Surface* surface : surfaces_) surface->begin_instant();
+  for (PairLaws* laws : laws_) laws->begin_instant();
   for (const bool impacts : {true, false})
     for (Contact& contact : contacts_)
       if ((contact.manifold >= 0) == impacts) ask_law(contact, h);

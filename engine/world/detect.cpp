@@ -112,8 +112,8 @@ void World<D>::detect(double ahead) {
       contact.at = point;
       contact.candidate = candidate;
       contact.antagonist = antagonist;
-      contact.surface = antagonist < 0 ? terrain_surface_[candidate][part_of(*terrain_, point.against)]
-                                       : pair_surface(candidate, antagonist);
+      contact.laws = antagonist < 0 ? terrain_laws_[candidate][part_of(*terrain_, point.against)]
+                                    : pair_laws(candidate, antagonist);
     }
   };
   // Contacts are sorted by candidate, with the terrain first and then the antagonists in their order. NLGS

@@ -32,7 +32,7 @@ void World<D>::save() {
   }
   after_.swap(last_after_);
   memory_.clear();
-  for (const Surface* surface : surfaces_) surface->save_history(memory_);
+  for (const PairLaws* laws : laws_) laws->save_history(memory_);
 }
 
 template <int D>
@@ -46,7 +46,7 @@ void World<D>::restore() {
     bodies[i].impacts = impacts_before_[i];
   }
   const double* memory = memory_.data();
-  for (Surface* surface : surfaces_) memory = surface->restore_history(memory);
+  for (PairLaws* laws : laws_) memory = laws->restore_history(memory);
 }
 
 /// Velocities jump, or bodies fly: the next step is not like the last one.
@@ -204,7 +204,7 @@ typename World<D>::Outcome World<D>::impact() {
 /// Whether a contact that may collide is a spring. The law is asked only if it can be one.
 template <int D>
 bool World<D>::is_spring(Contact& contact) {
-  if (!contact.surface || !contact.surface->unilateral.law) return false;
+  if (!contact.laws || !contact.laws->unilateral.law) return false;
   contact.before = relative_velocity(contact);
   contact.manifold = -1;
   ask_law(contact, 0);

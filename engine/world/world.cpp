@@ -19,9 +19,9 @@ World<D>::World(const Terrain& terrain, const Vec<D>& gravity, const WorldSettin
 template <int D>
 int World<D>::add(Body<D> body) {
   bodies.push_back(std::move(body));
-  terrain_surface_.emplace_back(parts_of(*terrain_).size(), nullptr);
-  pair_surface_.emplace_back();
-  for (auto& row : pair_surface_) row.resize(bodies.size(), nullptr);
+  terrain_laws_.emplace_back(parts_of(*terrain_).size(), nullptr);
+  pair_laws_.emplace_back();
+  for (auto& row : pair_laws_) row.resize(bodies.size(), nullptr);
   contacts_of_.emplace_back();
   unsolved_.emplace_back();
   return static_cast<int>(bodies.size()) - 1;
@@ -30,38 +30,36 @@ int World<D>::add(Body<D> body) {
 template <int D>
 void World<D>::remove_last() {
   bodies.pop_back();
-  terrain_surface_.pop_back();
-  pair_surface_.pop_back();
-  for (auto& row : pair_surface_) row.pop_back();
+  terrain_laws_.pop_back();
+  pair_laws_.pop_back();
+  for (auto& row : pair_laws_) row.pop_back();
   contacts_of_.pop_back();
   unsolved_.pop_back();
 }
 
 template <int D>
-void World<D>::set_terrain_surface(int body, int part, Surface* surface) {
-  terrain_surface_[body][part] = surface;
-  know(surface);
+void World<D>::set_terrain_laws(int body, int part, PairLaws* laws) {
+  terrain_laws_[body][part] = laws;
+  know(laws);
 }
 
 template <int D>
-Surface* World<D>::pair_surface(int a, int b) {
-  Surface*& surface = pair_surface_[a][b];
-  if (!surface && surface_between) {
-    surface = surface_between(a, b);
-    know(surface);
+PairLaws* World<D>::pair_laws(int a, int b) {
+  PairLaws*& laws = pair_laws_[a][b];
+  if (!laws && laws_between) {
+    laws = laws_between(a, b);
+    know(laws);
   }
-  return surface;
+  return laws;
 }
 
-/// Registers a surface with memory, because a repeated step must restore its memory. A surface that is first
-/// used within the step is restored to its initial memory.
+/// Registers laws with memory, because a repeated step must restore its memory. Laws that are first
+/// used within the step are restored to their initial memory.
 template <int D>
-void World<D>::know(Surface* surface) {
-  if (!surface || !surface->remembers() ||
-      std::find(surfaces_.begin(), surfaces_.end(), surface) != surfaces_.end())
-    return;
-  surfaces_.push_back(surface);
-  surface->save_history(memory_);
+void World<D>::know(PairLaws* laws) {
+  if (!laws || !laws->remembers() || std::find(laws_.begin(), laws_.end(), laws) != laws_.end()) return;
+  laws_.push_back(laws);
+  laws->save_history(memory_);
 }
 
 template <int D>

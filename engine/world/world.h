@@ -14,9 +14,9 @@
 #include "solver/restitution.h"
 #include "world/contact_rows.h"
 #include "world/motions.h"
+#include "world/pair_laws.h"
 #include "world/phase_clock.h"
 #include "world/step_control.h"
-#include "world/surface.h"
 
 namespace flyrock {
 
@@ -40,7 +40,7 @@ struct WorldContact {
   ContactPoint<D> at;
   int candidate = 0;
   int antagonist = -1;  ///< a body, or -1 for the terrain
-  Surface* surface = nullptr;
+  PairLaws* laws = nullptr;
   ContactLaw law;
   ContactHistory history{};  ///< memory of the laws of this contact
   Row impulse = Row::Zero();
@@ -78,12 +78,12 @@ class World {
   int add(Body<D> body);
   /// Removes the body that was added last.
   void remove_last();
-  /// The laws between a body and a part of the terrain; null if the scenario names none. The caller owns the
-  /// surfaces.
-  void set_terrain_surface(int body, int part, Surface* surface);
+  /// The laws between a body and a part of the terrain; null if the scenario names none. The caller
+  /// owns them.
+  void set_terrain_laws(int body, int part, PairLaws* laws);
   /// The laws between two bodies, a < b. Called once, when the bodies first come near each other. Empty: no
   /// laws.
-  std::function<Surface*(int a, int b)> surface_between;
+  std::function<PairLaws*(int a, int b)> laws_between;
 
   double time = 0;
   std::vector<Body<D>> bodies;
@@ -200,8 +200,8 @@ class World {
     double penetration = 0;  ///< the largest in the middle [m]
   };
 
-  void know(Surface* surface);
-  Surface* pair_surface(int a, int b);
+  void know(PairLaws* laws);
+  PairLaws* pair_laws(int a, int b);
 
   bool bodies_meet() const { return settings_.body_contacts && bodies.size() > 1; }
 
@@ -302,9 +302,9 @@ class World {
   double spring_rate_ = 0, spring_or_damper_rate_ = 0;
   double energy_given_ = 0;                                  ///< J
   double energy_in_doubt_ = 0, spring_energy_in_doubt_ = 0;  ///< J
-  std::vector<std::vector<Surface*>> terrain_surface_;       ///< [body][part]
+  std::vector<std::vector<PairLaws*>> terrain_laws_;         ///< [body][part]
   /// [a][b], a < b; null before the bodies first come near each other
-  std::vector<std::vector<Surface*>> pair_surface_;
+  std::vector<std::vector<PairLaws*>> pair_laws_;
 
   std::vector<Contact> contacts_;  ///< active in the current step
   std::vector<Contact> last_;      ///< of the last completed step
@@ -349,8 +349,8 @@ class World {
   std::vector<Moment<D>> starts_;    ///< of the bodies, at the start of the step
   std::vector<int> impacts_before_;  ///< of the bodies, at the start of the step
   std::vector<Motion> motions_;      ///< of the bodies over the current step
-  std::vector<Surface*> surfaces_;   ///< those with memory of a pair, each once
-  std::vector<double> memory_;       ///< memory of the surfaces at the start of the step
+  std::vector<PairLaws*> laws_;      ///< those with memory of a pair, each once
+  std::vector<double> memory_;       ///< memory of the laws at the start of the step
   std::vector<typename Body<D>::Rows> drift_;
   std::vector<double> swell_;                ///< m, of the radii of pneumatic disks, as drift_
   std::vector<std::optional<double>> gaps_;  ///< gaps of the contacts whose drift is projected out

@@ -44,7 +44,7 @@ void tumble(Body<3>& body, double spin, std::mt19937& rng) {
 
 BodyHistory run_alone(World<3>& world, const Body<3>& body, Material& material, double stop_time) {
   world.add(body);
-  world.set_terrain_surface(0, 0, &material.surface);
+  world.set_terrain_laws(0, 0, &material.surface);
   std::vector<BodyHistory> histories;
   RunSettings settings;
   settings.stop_time = stop_time;

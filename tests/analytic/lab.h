@@ -35,7 +35,7 @@ struct Material {
   Newton newton;
   Coulomb coulomb;
   Resistance resistance;
-  Surface surface;
+  PairLaws surface;
   Material(double e_n, double mu, double mu_r = 0, double e_t = 0, double mu_spin = 0)
       : newton(e_n, e_t), coulomb(mu), resistance(mu_r, mu_spin) {
     surface.restitution.law = &newton;
@@ -82,18 +82,18 @@ struct BenchOf {
   World<D> world;
   RunSettings run_settings;
   std::vector<BodyHistory> histories;
-  Surface* surface;
+  PairLaws* surface;
 
   BenchOf(typename Geometry<D>::Terrain ground, Material& material, const WorldSettings& settings,
           const Vec<D>& gravity)
       : terrain(std::move(ground)), world(terrain, gravity, settings), surface(&material.surface) {
-    world.surface_between = [this](int, int) { return surface; };
+    world.laws_between = [this](int, int) { return surface; };
   }
 
   int add(Body<D> body) {
     const int i = world.add(std::move(body));
     for (std::size_t part = 0; part < parts_of(terrain).size(); ++part)
-      world.set_terrain_surface(i, static_cast<int>(part), surface);
+      world.set_terrain_laws(i, static_cast<int>(part), surface);
     return i;
   }
   const BodyHistory& run(double stop_time) {

@@ -31,14 +31,14 @@ Body<D> point(const Vec<D>& at, const Vec<D>& velocity, double radius = 0.5, dou
 template <int D>
 BodyHistory run_on(const typename Geometry<D>::Terrain& terrain, lab::Material& material, const Body<D>& body,
                    double stop_time = 60, double rest_speed = 1e-9, double stop_speed = 0.05) {
-  std::vector<Surface*> surfaces(parts_of(terrain).size(), &material.surface);
+  std::vector<PairLaws*> surfaces(parts_of(terrain).size(), &material.surface);
   PointRun<D> run;
   run.forces.gravity[D - 1] = -g;
   run.ends_at_touch = false;
   run.stop_time = stop_time;
   run.rest_speed = rest_speed;
   run.stop_speed = stop_speed;
-  run.surfaces = surfaces;
+  run.laws = surfaces;
   return run_point(body, terrain, run);
 }
 
@@ -367,11 +367,11 @@ TEST_CASE("the impact of a point is that of the solver for one contact with W = 
 TEST_CASE("fences and gates act on a point in flight and on one that slides") {
   lab::Material material(0.3, 0.5);
   const Terrain2 terrain(lab::ground(100));
-  Surface* const surfaces[] = {&material.surface};
+  PairLaws* const surfaces[] = {&material.surface};
   PointRun<2> run;
   run.forces.gravity = {0, -g};
   run.ends_at_touch = false;
-  run.surfaces = surfaces;
+  run.laws = surfaces;
   const Body<2> body = point<2>({0, 0}, {10, 0}, 0.5, 200);
   const std::vector<Gate> gates{{3}, {50}};
   run.gates = gates;
@@ -402,13 +402,13 @@ TEST_CASE("points in air and wind on rough ground end, and air takes what it tak
   for (int k = 0; k < 30; ++k) {
     lab::Material material(rng.uniform(0, 0.8), rng.uniform(0, 0.9));
     const Terrain2 terrain = profile_of(rough_points(500 + k, 80, 1, 0.8));
-    Surface* const surfaces[] = {&material.surface};
+    PairLaws* const surfaces[] = {&material.surface};
     const Body<2> body = point<2>({rng.uniform(1, 5), 4}, {rng.uniform(-2, 9), rng.uniform(0, 5)});
     PointRun<2> run;
     run.forces = {{0, -g}, {rng.uniform(0.001, 0.2), {rng.uniform(-5, 5), 0}}};
     const BodyHistory flight = run_point(body, terrain, run);
     run.ends_at_touch = false;
-    run.surfaces = surfaces;
+    run.laws = surfaces;
     const BodyHistory h = run_point(body, terrain, run);
     INFO(k << " " << name_of(h.reason) << " " << h.fault);
     REQUIRE(is_sound(h));

@@ -50,7 +50,7 @@ struct Roughness {
 };
 
 /// Calls the laws and checks their answers. A constant law is called once.
-class Surface {
+class PairLaws {
  public:
   std::string material;
   BoundLaw<RestitutionLaw> restitution;
@@ -62,7 +62,7 @@ class Surface {
   DrawKey key;  ///< trial and rock, for draws per impact
   MaterialUse use;
 
-  /// Becomes the surface of another pair of the same kind, as if it had been made for it: draws the
+  /// Becomes the laws of another pair of the same kind, as if it had been made for it: draws the
   /// parameters at its key, and forgets answers, memory and counts.
   void begin_pair(const DrawKey& of_pair);
   /// Begins an instant (a step or an impact). All its contacts read the pair's memory from before the

@@ -1,4 +1,4 @@
-#include "trial/surfaces.h"
+#include "trial/world_laws.h"
 
 #include <fmt/format.h>
 
@@ -26,29 +26,29 @@ void bind(BoundLaw<LawKind>& bound, const std::unique_ptr<LawKind>& law, const s
 
 }  // namespace
 
-Surfaces::Surfaces(const Scenario& scenario, const Instances& instances, std::vector<Partner> partners)
+WorldLaws::WorldLaws(const Scenario& scenario, const Instances& instances, std::vector<Partner> partners)
     : scenario_(scenario), instances_(instances), partners_(std::move(partners)) {}
 
-Surface* Surfaces::make(int material, const DrawKey& key) {
+PairLaws* WorldLaws::make(int material, const DrawKey& key) {
   const Material& plan = scenario_.materials[material];
-  const MaterialLaws& laws = instances_.materials[material];
-  Surface& surface = surfaces_.emplace_back();
+  const MaterialLaws& of_material = instances_.materials[material];
+  PairLaws& laws = laws_.emplace_back();
   material_.push_back(material);
-  surface.material = plan.name;
-  surface.seed = scenario_.seed;
-  surface.key = key;
-  bind(surface.restitution, laws.restitution, plan.restitution, scenario_, key);
-  bind(surface.friction, laws.friction, plan.friction, scenario_, key);
-  bind(surface.rolling, laws.rolling, plan.rolling, scenario_, key);
-  bind(surface.unilateral, laws.unilateral, plan.unilateral, scenario_, key);
+  laws.material = plan.name;
+  laws.seed = scenario_.seed;
+  laws.key = key;
+  bind(laws.restitution, of_material.restitution, plan.restitution, scenario_, key);
+  bind(laws.friction, of_material.friction, plan.friction, scenario_, key);
+  bind(laws.rolling, of_material.rolling, plan.rolling, scenario_, key);
+  bind(laws.unilateral, of_material.unilateral, plan.unilateral, scenario_, key);
   if (plan.roughness)
-    surface.roughness = {plan.roughness->constant,
-                         plan.roughness->is_constant() ? nullptr : &scenario_.draws[plan.roughness->draw]};
-  return &surface;
+    laws.roughness = {plan.roughness->constant,
+                      plan.roughness->is_constant() ? nullptr : &scenario_.draws[plan.roughness->draw]};
+  return &laws;
 }
 
 /// `pairs` decides. Without an entry, two bodies that show the same material use it.
-int Surfaces::material_between(const Partner& a, const Partner& b) const {
+int WorldLaws::material_between(const Partner& a, const Partner& b) const {
   for (const PairPlan& pair : scenario_.pairs)
     if ((pair.a == a.name && pair.b == b.name) || (pair.a == b.name && pair.b == a.name))
       return pair.material;
@@ -59,8 +59,8 @@ int Surfaces::material_between(const Partner& a, const Partner& b) const {
                   a.name, b.name));
 }
 
-int Surfaces::material_of_part(const std::string& name, const std::string& part,
-                               const std::string& part_name) const {
+int WorldLaws::material_of_part(const std::string& name, const std::string& part,
+                                const std::string& part_name) const {
   for (const std::string& terrain : {part_name, std::string("terrain")})
     for (const PairPlan& pair : scenario_.pairs)
       if ((pair.a == name && pair.b == terrain) || (pair.b == name && pair.a == terrain))
@@ -72,9 +72,9 @@ int Surfaces::material_of_part(const std::string& name, const std::string& part,
 }
 
 template <int D>
-const std::vector<Surface*>& Surfaces::of_point(const World<D>& world, int body) {
+const std::vector<PairLaws*>& WorldLaws::of_point(const World<D>& world, int body) {
   of_point_.resize(partners_.size());
-  std::vector<Surface*>& of_part = of_point_[static_cast<std::size_t>(body)];
+  std::vector<PairLaws*>& of_part = of_point_[static_cast<std::size_t>(body)];
   if (!of_part.empty()) return of_part;
   for (std::size_t part = 0; part < parts_of(world.terrain()).size(); ++part) {
     const int material = material_with_terrain(world, body, static_cast<int>(part));
@@ -83,43 +83,43 @@ const std::vector<Surface*>& Surfaces::of_point(const World<D>& world, int body)
   return of_part;
 }
 
-bool Surfaces::serve(const Partner& next) {
+bool WorldLaws::serve(const Partner& next) {
   Partner& known = partners_.front();
   if (partners_.size() != 1 || next.name != known.name || next.material != known.material) return false;
   begin_rock(next.key);
   return true;
 }
 
-void Surfaces::begin_rock(const DrawKey& key) {
+void WorldLaws::begin_rock(const DrawKey& key) {
   partners_.front().key = key;
-  for (Surface& surface : surfaces_) surface.begin_pair(key);
+  for (PairLaws& laws : laws_) laws.begin_pair(key);
 }
 
 template <int D>
-void Surfaces::connect(World<D>& world) {
+void WorldLaws::connect(World<D>& world) {
   const auto& parts = parts_of(world.terrain());
   const int bodies = static_cast<int>(world.bodies.size());
   for (int i = 0; i < bodies; ++i) {
     const Partner& partner = partners_[i];
     for (std::size_t part = 0; part < parts.size(); ++part)
       if (const int material = material_with_terrain(world, i, static_cast<int>(part)); material >= 0)
-        world.set_terrain_surface(i, static_cast<int>(part), make(material, partner.key));
+        world.set_terrain_laws(i, static_cast<int>(part), make(material, partner.key));
     for (int j = i + 1; j < bodies && world.settings().body_contacts; ++j)
       if (world.bodies[i].moves() || world.bodies[j].moves())
         material_between(partner, partners_[j]);  // throws if there is none
   }
-  world.surface_between = [this](int a, int b) {
+  world.laws_between = [this](int a, int b) {
     return make(material_between(partners_[a], partners_[b]), partners_[a].key);
   };
 }
 
-void Surfaces::add_use(std::vector<MaterialUse>& of_material) const {
-  for (std::size_t s = 0; s < surfaces_.size(); ++s) of_material[material_[s]].add(surfaces_[s].use);
+void WorldLaws::add_use(std::vector<MaterialUse>& of_material) const {
+  for (std::size_t s = 0; s < laws_.size(); ++s) of_material[material_[s]].add(laws_[s].use);
 }
 
-template const std::vector<Surface*>& Surfaces::of_point(const World<2>&, int);
-template const std::vector<Surface*>& Surfaces::of_point(const World<3>&, int);
-template void Surfaces::connect(World<2>&);
-template void Surfaces::connect(World<3>&);
+template const std::vector<PairLaws*>& WorldLaws::of_point(const World<2>&, int);
+template const std::vector<PairLaws*>& WorldLaws::of_point(const World<3>&, int);
+template void WorldLaws::connect(World<2>&);
+template void WorldLaws::connect(World<3>&);
 
 }  // namespace flyrock

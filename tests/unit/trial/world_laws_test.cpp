@@ -11,9 +11,9 @@ using namespace flyrock;
 namespace {
 
 /// The surface of the contacts of `lower` with the ground (other = -1) or with `upper` (other = 1).
-const Surface* surface_of(const World<2>& world, int other) {
+const PairLaws* surface_of(const World<2>& world, int other) {
   for (const auto& contact : world.contacts())
-    if (contact.candidate == 0 && contact.antagonist == other) return contact.surface;
+    if (contact.candidate == 0 && contact.antagonist == other) return contact.laws;
   return nullptr;
 }
 
@@ -28,7 +28,7 @@ struct Glued {
   }
 };
 
-bool torn(const Surface& surface) { return surface.unilateral.history.at(1) == 1; }
+bool torn(const PairLaws& surface) { return surface.unilateral.history.at(1) == 1; }
 
 /// Each trial of a run by one runner, in which the trials share what they can, beside the same trial alone.
 void check_trials_alone(const Scenario& scenario, std::uint64_t trials, std::size_t rocks) {
@@ -65,8 +65,8 @@ void check_trials_alone(const Scenario& scenario, std::uint64_t trials, std::siz
 TEST_CASE("a bond that tears leaves the others of its material whole, and their draws as they are") {
   Glued glued;
   glued.step(100);
-  const Surface* ground = surface_of(glued.world, -1);
-  const Surface* joint = surface_of(glued.world, 1);
+  const PairLaws* ground = surface_of(glued.world, -1);
+  const PairLaws* joint = surface_of(glued.world, 1);
   REQUIRE(ground);
   REQUIRE(joint);
   const double mu_of_ground = ground->friction.values.at(0), mu_of_joint = joint->friction.values.at(0);
@@ -139,7 +139,7 @@ bodies:
   }
   REQUIRE(most == 2);
   REQUIRE(world.contacts().size() == 2);
-  const Surface& ground = *world.contacts().front().surface;
+  const PairLaws& ground = *world.contacts().front().laws;
   CHECK(ground.unilateral.history.at(0) > 0.4);  // s of the pair, not of its younger contact
   CHECK_FALSE(torn(ground));
   CHECK(ground.friction.history.at(1) == 0);

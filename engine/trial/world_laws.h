@@ -1,5 +1,5 @@
 #pragma once
-// The surfaces of one world: the laws for contacts of its bodies with the terrain and with each other.
+// The laws of one world: those for contacts of its bodies with the terrain and with each other.
 
 #include <deque>
 #include <string>
@@ -18,18 +18,18 @@ struct Partner {
   DrawKey key;        ///< of its draws
 };
 
-/// One Surface for each body and part of the terrain, and one for each pair of bodies. Each has its own draws
-/// and its own memory; only the laws are shared. The surface of a pair of bodies is made when they first come
-/// near each other, because few pairs of many rocks ever meet. Draws of a pair belong to the body with the
-/// lower index. A Surfaces object must not move, because the world points into it. The scenario and the
-/// instances must outlive it.
-class Surfaces {
+/// One PairLaws for each body and part of the terrain, and one for each pair of bodies. Each has its own
+/// draws and its own memory; only the laws themselves are shared. That of a pair of bodies is made when they
+/// first come near each other, because few pairs of many rocks ever meet. Draws of a pair belong to the body
+/// with the lower index. A WorldLaws object must not move, because the world points into it. The scenario and
+/// the instances must outlive it.
+class WorldLaws {
  public:
   /// `partners`: one for each body of the world, in the same order.
-  Surfaces(const Scenario& scenario, const Instances& instances, std::vector<Partner> partners);
-  Surfaces(const Surfaces&) = delete;
+  WorldLaws(const Scenario& scenario, const Instances& instances, std::vector<Partner> partners);
+  WorldLaws(const WorldLaws&) = delete;
 
-  /// Gives the bodies of `world` their surfaces. Throws StartError if two of them can meet and no material is
+  /// Gives the bodies of `world` their laws. Throws StartError if two of them can meet and no material is
   /// given.
   template <int D>
   void connect(World<D>& world);
@@ -37,8 +37,8 @@ class Surfaces {
   /// The laws between a body, which is a point, and each part of the terrain; null where no material is
   /// given. Made at the first call.
   template <int D>
-  const std::vector<Surface*>& of_point(const World<D>& world, int body);
-  /// The surfaces of one point may serve the next one on the same terrain, if it meets the same materials; it
+  const std::vector<PairLaws*>& of_point(const World<D>& world, int body);
+  /// The laws of one point may serve the next one on the same terrain, if it meets the same materials; it
   /// returns whether it does. They are then as if they had been made for it.
   bool serve(const Partner& next);
   void begin_rock(const DrawKey& key);  ///< as serve(), of a rock that meets the same materials
@@ -57,16 +57,16 @@ class Surfaces {
   void add_use(std::vector<MaterialUse>& of_material) const;
 
  private:
-  Surface* make(int material, const DrawKey& key);
+  PairLaws* make(int material, const DrawKey& key);
   int material_of_part(const std::string& name, const std::string& part, const std::string& part_name) const;
   int material_between(const Partner& a, const Partner& b) const;
 
   const Scenario& scenario_;
   const Instances& instances_;
   std::vector<Partner> partners_;
-  std::deque<Surface> surfaces_;
-  std::vector<std::vector<Surface*>> of_point_;  ///< [body][part]; empty before the first call
-  std::vector<int> material_;                    ///< for each surface
+  std::deque<PairLaws> laws_;
+  std::vector<std::vector<PairLaws*>> of_point_;  ///< [body][part]; empty before the first call
+  std::vector<int> material_;                     ///< of each of laws_
 };
 
 }  // namespace flyrock

@@ -1,4 +1,4 @@
-#include "world/surface.h"
+#include "world/pair_laws.h"
 
 #include <algorithm>
 #include <span>
@@ -38,7 +38,7 @@ bool varies(const BoundLaw<LawKind>& bound) {
 
 }  // namespace
 
-void Surface::begin_pair(const DrawKey& of_pair) {
+void PairLaws::begin_pair(const DrawKey& of_pair) {
   key = of_pair;
   use = {};
   known_.reset();
@@ -53,7 +53,7 @@ void Surface::begin_pair(const DrawKey& of_pair) {
   begin(unilateral, constant_unilateral_);
 }
 
-void Surface::begin_instant() {
+void PairLaws::begin_instant() {
   if (!remembers()) return;
   const auto remember = [](auto& bound) {
     if (!bound.history.empty()) bound.before = bound.history;
@@ -61,7 +61,7 @@ void Surface::begin_instant() {
   remember(restitution), remember(friction), remember(rolling), remember(unilateral);
 }
 
-void Surface::begin_impact(std::uint64_t impact_number) {
+void PairLaws::begin_impact(std::uint64_t impact_number) {
   key.impact = impact_number;
   if (!traits().draws_at_impact) return;
   if (traits().step_draws_at_impact) known_.reset();
@@ -69,7 +69,7 @@ void Surface::begin_impact(std::uint64_t impact_number) {
   draw_again(restitution), draw_again(friction), draw_again(rolling), draw_again(unilateral);
 }
 
-ContactLaw Surface::ask(ContactState& state, bool impact, ContactHistory& history) {
+ContactLaw PairLaws::ask(ContactState& state, bool impact, ContactHistory& history) {
   const auto own = [&](std::size_t kind) {
     return std::span(history).subspan(kind * most_history, most_history);
   };
@@ -97,7 +97,7 @@ ContactLaw Surface::ask(ContactState& state, bool impact, ContactHistory& histor
   return law;
 }
 
-const ContactLaw* Surface::known() {
+const ContactLaw* PairLaws::known() {
   if (!known_) return nullptr;
   use.friction += friction.law != nullptr;
   use.rolling += rolling.law != nullptr;
@@ -105,7 +105,7 @@ const ContactLaw* Surface::known() {
   return &*known_;
 }
 
-const Surface::Traits& Surface::traits() {
+const PairLaws::Traits& PairLaws::traits() {
   if (traits_) return *traits_;
   const auto is_drawn = [](const auto& bound) { return !bound.per_impact.empty(); };
   const auto has_memory = [](const auto& bound) { return !bound.history.empty(); };
@@ -121,14 +121,14 @@ const Surface::Traits& Surface::traits() {
   return *traits_;
 }
 
-void Surface::save_history(std::vector<double>& memory) const {
+void PairLaws::save_history(std::vector<double>& memory) const {
   const auto append = [&](const auto& bound) {
     memory.insert(memory.end(), bound.history.begin(), bound.history.end());
   };
   append(restitution), append(friction), append(rolling), append(unilateral);
 }
 
-const double* Surface::restore_history(const double* memory) {
+const double* PairLaws::restore_history(const double* memory) {
   const auto take = [&](auto& bound) {
     std::copy_n(memory, bound.history.size(), bound.history.begin());
     memory += bound.history.size();
