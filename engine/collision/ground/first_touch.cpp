@@ -44,17 +44,18 @@ const std::vector<HeldOnGround>& held_on(Workspace& work, const Ground3& ground,
   return found;
 }
 
-/// The contacts of a search without those of a pill or a cylinder that have opened: it may leave an edge and
-/// come back to it elsewhere, which is a new touch. Valid until the next call.
-std::span<const HeldContact> still_held(Workspace& work, const Moving3& c, const Ground3& ground,
-                                        FindGapToGround<3>* gap, const TouchSearch& search) {
-  std::vector<HeldContact>& closed = work.still_held;
-  closed.clear();
+/// A search without the contacts of a pill or a cylinder that have opened: it may leave an edge and come back
+/// to it elsewhere, which is a new touch. Valid until the next call.
+TouchSearch without_opened(Workspace& work, const Moving3& c, const Ground3& ground, FindGapToGround<3>* gap,
+                           const TouchSearch& search) {
+  work.still_held.clear();
   const Placed3 start{c.shape, {c.motion.x, c.motion.turn(0).rotation}};
   for (const HeldContact& h : search.held)
     if (contactor_of(h.feature) != c.index ||
         gap(work, start, h.feature, ground, h.against, h.normal) <= opened_share * search.size)
-      closed.push_back(h);
+      work.still_held.push_back(h);
+  TouchSearch closed = search;
+  closed.held = work.still_held;
   return closed;
 }
 
@@ -123,8 +124,7 @@ std::optional<double> ball_core_touch_of_ground(Workspace& work, const Moving3& 
 
 std::optional<double> pill_touch_of_ground(Workspace& work, const Moving3& pill, const Ground3& ground,
                                            double t_max, const TouchSearch& search) {
-  TouchSearch closed = search;
-  closed.held = still_held(work, pill, ground, core_gap_to_ground, search);
+  const TouchSearch closed = without_opened(work, pill, ground, core_gap_to_ground, search);
   return touch_of_facets(work, pill, ground, t_max, closed, CoreSearch::pill);
 }
 
@@ -135,8 +135,7 @@ std::optional<double> hull_touch_of_ground(Workspace& work, const Moving3& hull,
 
 std::optional<double> smooth_touch_of_ground(Workspace& work, const Moving3& shape, const Ground3& ground,
                                              double t_max, const TouchSearch& search) {
-  TouchSearch closed = search;
-  closed.held = still_held(work, shape, ground, smooth_gap_to_ground, search);
+  const TouchSearch closed = without_opened(work, shape, ground, smooth_gap_to_ground, search);
   const auto& held = held_on(work, ground, closed.held);
   return touch_of_facets(work, shape, ground, t_max, closed,
                          [&](const Facet& facet, const TimeWindow& window) {
