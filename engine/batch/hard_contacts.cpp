@@ -110,7 +110,7 @@ std::vector<SpringSwing> spring_swings(const Scenario& scenario, const Instances
       *known = swing;
   };
   const bool has_spring = std::any_of(instances.materials.begin(), instances.materials.end(),
-                                      [](const MaterialLaws& laws) { return laws.unilateral != nullptr; });
+                                      [](const MaterialLaws& bound) { return bound.unilateral != nullptr; });
   const int bodies = has_spring ? static_cast<int>(world.bodies.size()) : 0;
   std::vector<double> w;
   for (int i = 0; i < bodies; ++i) w.push_back(greatest_w(world.bodies[i]));

@@ -114,7 +114,7 @@ void near_parts(Workspace& work, const PartTree<D>& body, const typename Geometr
 }
 
 template <int D>
-void near_parts(Workspace& work, const PartTree<D>& a, const typename Geometry<D>::Pose& pose_a,
+void near_parts(Workspace&, const PartTree<D>& a, const typename Geometry<D>::Pose& pose_a,
                 const PartTree<D>& b, const typename Geometry<D>::Pose& pose_b, double reach,
                 std::vector<std::pair<int, int>>& found) {
   found.clear();

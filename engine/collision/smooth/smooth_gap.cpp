@@ -1,4 +1,5 @@
 // Gaps of known features where one contactor has circles.
+#include <algorithm>
 #include <optional>
 
 #include "collision/rules.h"
@@ -7,6 +8,8 @@
 namespace flyrock {
 
 namespace {
+
+constexpr double closed_share = 1e-9;  // of the size: features that are nearer touch
 
 /// The place of a vertex or of a rim that faces a direction, if the feature is one.
 std::optional<Vec3> place_of(const Placed3& shape, FeatureId feature, const Vec3& direction) {
@@ -47,7 +50,11 @@ double smooth_gap(Workspace&, const Placed3& a, FeatureId feature, const Placed3
        {over_plane(a, feature, plane_of(b, against)), over_plane(b, against, plane_of(a, feature))})
     if (height) return *height - a.shape.radius - b.shape.radius;
   const double radii = a.shape.radius + b.shape.radius;
-  if (const auto distance = distance_of_features(a, feature, b, against, near)) return *distance - radii;
+  // Features that are apart may have passed the contact on to others, whose gap is smaller.
+  const double closed = closed_share * std::min(a.shape.bound, b.shape.bound);
+  if (const auto distance = distance_of_features(a, feature, b, against, near);
+      distance && *distance - radii <= closed)
+    return *distance - radii;
   const FacingPair pair = facing_pair(a, b);
   const Vec3& normal = pair.apart.normal;
   if (const auto of_a = place_of(a, feature, -normal)) return normal.dot(*of_a - b.support(normal)) - radii;
