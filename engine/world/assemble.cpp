@@ -65,9 +65,12 @@ TouchingPart<D> World<D>::touching_part_of(const Contact& contact, int body, Fea
 /// the lever l_i from the centre to the contact,
 ///   a = w_a x l_a' - w_b x l_b' - W x (v_a + w_a x l_a - v_b - w_b x l_b),   W = n x n'
 /// in the frame of the contact, and -W x (w_a - w_b) in the rows of rolling and spinning. The velocities are
-/// those that the bodies have after `ahead` [s] if they go on as in the last step.
+/// those that the bodies have after `ahead` [s] if they go on as in the last step. `h` [s]: of the step.
 template <int D>
-typename World<D>::Turning World<D>::turning_of(const Contact& contact, double ahead) const {
+typename World<D>::Turning World<D>::turning_of(const Contact& contact, double ahead, double h) const {
+  // rad, by which the place of a rim may walk in the step. Where a cap is nearly level, it runs around the
+  // rim at once, and a correction of second order is greater than all velocities: the place then stays.
+  constexpr double most_walk = 0.2;
   const Vec<D>& normal = contact.at.normal;
   TouchingPart<D> a = touching_part_of(contact, contact.candidate, contact.at.feature);
   TouchingPart<D> b = touching_part_of(contact, contact.antagonist, contact.at.against);
@@ -100,7 +103,9 @@ typename World<D>::Turning World<D>::turning_of(const Contact& contact, double a
       Vec3 rate = w.cross(lever);
       if (part.rolls && part.kind == TouchingPart<3>::Kind::place) {
         const auto line = line_of(other < 0 ? nullptr : &bodies[other], *terrain_, against, normal);
-        rate = lever_rate(Placed3{contactor, body.pose()}, feature, -side * normal, w, lever, line);
+        const Vec3 walking =
+            lever_rate(Placed3{contactor, body.pose()}, feature, -side * normal, w, lever, line);
+        if ((walking - rate).norm() * h < most_walk * contactor.bound) rate = walking;
       }
       part.velocity += rate;
       slip += side * (v + w.cross(arm));
@@ -156,8 +161,8 @@ void World<D>::measure_before(double h) {
   if (h == 0) return;
   for (Contact& contact : contacts_) {
     if (touching_[contact.candidate] || (contact.antagonist >= 0 && touching_[contact.antagonist])) continue;
-    Turning turning = turning_of(contact, 0);
-    if (turning.bends && !gains_.empty()) turning = turning_of(contact, late * h);
+    Turning turning = turning_of(contact, 0, h);
+    if (turning.bends && !gains_.empty()) turning = turning_of(contact, late * h, h);
     contact.turning = turning.rate;
     contact.lasts = turning.lasts;
     contact.before -= (1 - settings_.theta) * h * contact.turning;
@@ -274,7 +279,7 @@ void World<D>::scale_by_island(double h) {
   template double World<D>::mobility_of_shape(int) const;                                    \
   template World<D>::Row World<D>::relative_velocity(const Contact&) const;                  \
   template TouchingPart<D> World<D>::touching_part_of(const Contact&, int, FeatureId) const; \
-  template World<D>::Turning World<D>::turning_of(const Contact&, double) const;             \
+  template World<D>::Turning World<D>::turning_of(const Contact&, double, double) const;     \
   template void World<D>::measure_before(double);                                            \
   template void World<D>::assemble(double, bool);                                            \
   template int World<D>::island_of(int);                                                     \

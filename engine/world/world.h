@@ -241,7 +241,7 @@ class World {
     bool bends = false;  ///< the normal turns or the contact walks, as velocities alone tell: not over a rim
     bool lasts = false;  ///< and it may go on for long: a round part, or a driven body
   };
-  Turning turning_of(const Contact& contact, double ahead) const;
+  Turning turning_of(const Contact& contact, double ahead, double h) const;
   void measure_before(double h);
   void assemble(double h, bool warm);
   template <int N>
