@@ -226,7 +226,7 @@ class TextTableReader {
     source_ = std::move(source);
     for (line_ = 1; line_ <= source_->lines.size(); ++line_)
       if (const std::string fault = text_fault(source_->lines[line_ - 1]); !fault.empty()) {
-        fail(1, fmt::format("the line {}", fault));
+        fail(1, fmt::format("the line {}, expected a table saved as UTF-8", fault));
         return false;
       }
     return true;

@@ -41,9 +41,12 @@ class Gaps {
 
   std::vector<MeshFault> all() {
     find_gaps();
+    std::map<Pair, Overlap> overlaps;
+    if (std::count(pieces_.is_open.begin(), pieces_.is_open.end(), true) > 1) overlaps = find_overlaps();
     std::vector<MeshFault> found;
-    for (const auto& [pair, gap] : gaps_) found.push_back(gap_fault(pair, gap));
-    if (std::count(pieces_.is_open.begin(), pieces_.is_open.end(), true) > 1) add_overlaps(found);
+    for (const auto& [pair, gap] : gaps_)
+      if (!overlaps.contains(pair)) found.push_back(gap_fault(pair, gap));
+    for (const auto& [pair, overlap] : overlaps) found.push_back(overlap_fault(overlap));
     return found;
   }
 
@@ -130,7 +133,8 @@ class Gaps {
     Vec2 place = Vec2::Zero();
   };
 
-  void add_overlaps(std::vector<MeshFault>& found) const {
+  /// Pieces that share more in plan than what a weld of their gap closes.
+  std::map<Pair, Overlap> find_overlaps() const {
     std::map<Pair, Overlap> overlaps;
     const std::vector<int> open = open_triangles();
     PlanCellsOf<int> cells(plan_size_of(open));
@@ -144,15 +148,19 @@ class Gaps {
       cells.visit(low, high, [&](int other) {
         if (other >= t || pieces_.of[other] == pieces_.of[t]) return;
         const Pair pair = std::minmax(pieces_.of[other], pieces_.of[t]);
-        if (gaps_.contains(pair)) return;
-        Overlap& overlap = overlaps[pair];
+        const auto gap = gaps_.find(pair);
+        const double closed = gap == gaps_.end() ? 0 : 2 * gap->second.greatest;
+        const auto known = overlaps.find(pair);
         Vec2 place;
-        if (overlap.places > 1000 || !overlap_of(t, other, place)) return;
-        if (overlap.places++ == 0) overlap = {1, t, other, place};
+        if ((known != overlaps.end() && known->second.places > 1000) || !overlap_of(t, other, closed, place))
+          return;
+        if (known == overlaps.end())
+          overlaps[pair] = {1, t, other, place};
+        else
+          ++known->second.places;
       });
     }
-    for (const auto& [pair, overlap] : overlaps)
-      if (overlap.places > 0) found.push_back(overlap_fault(overlap));
+    return overlaps;
   }
 
   /// Triangles of open pieces that have an area in plan.
@@ -184,8 +192,9 @@ class Gaps {
     return sum / static_cast<double>(std::max<std::size_t>(1, triangles.size()));
   }
 
-  /// Whether two triangles share more in plan than a strip as wide as a gap; the middle of what they share.
-  bool overlap_of(int t, int other, Vec2& place) const {
+  /// Whether two triangles share more in plan than a strip as wide as a gap, or as `closed`; the middle of
+  /// what they share.
+  bool overlap_of(int t, int other, double closed, Vec2& place) const {
     std::vector<Vec2> shared;
     for (const int v : mesh_.triangles[t]) shared.push_back(at(v).head<2>());
     const auto& by = mesh_.triangles[other];
@@ -202,7 +211,7 @@ class Gaps {
       place += a / static_cast<double>(shared.size());
     }
     const double size = std::sqrt(std::min(std::abs(plan_area(t)), std::abs(plan_area(other))));
-    return std::abs(area) > std::min(reach_, 0.2 * size) * longest;
+    return std::abs(area) > std::max(std::min(reach_, 0.2 * size), closed) * longest;
   }
 
   /// The part of a convex polygon on the inner side of a line.

@@ -29,11 +29,12 @@ std::string lower(std::string_view word) {
 
 /// Words that programs write where there is no number.
 bool is_void_word(std::string_view word) {
-  static constexpr std::array<std::string_view, 16> words = {
-      "nan",     "-nan",   "+nan",    "nan(ind)", "-nan(ind)", "1.#qnan", "-1.#qnan", "1.#ind",
-      "-1.#ind", "1.#inf", "-1.#inf", "inf",      "-inf",      "*",       "infinity", "null"};
+  static constexpr std::array<std::string_view, 19> words = {
+      "nan",  "-nan", "+nan", "1.#qnan", "-1.#qnan", "1.#ind",   "-1.#ind", "1.#inf", "-1.#inf",  "inf",
+      "-inf", "*",    "--",   "na",      "n/a",      "infinity", "null",    "#n/a",   "-infinity"};
   const std::string text = lower(word);
-  return std::find(words.begin(), words.end(), text) != words.end();
+  return text.starts_with("nan(") || text.starts_with("-nan(") ||
+         std::find(words.begin(), words.end(), text) != words.end();
 }
 
 struct Header {

@@ -55,10 +55,15 @@ bool to_number(std::string_view text, double& number) {
   return error == std::errc() && stop == end && std::isfinite(number);
 }
 
+bool is_utf16(std::string_view start) {
+  return start.starts_with("\xFF\xFE") || start.starts_with("\xFE\xFF");
+}
+
 Words::Words(std::string who, std::string path)
     : who_(std::move(who)), path_(std::move(path)), file_(path_, std::ios::binary), block_(block_size) {
   if (!file_) throw PluginError(fmt::format("{}: cannot read the file {}", who_, path_));
   refill();
+  if (is_utf16({block_.data(), end_})) fail(save_as_utf8);
   if (end_ >= 3 && std::memcmp(block_.data(), "\xEF\xBB\xBF", 3) == 0) at_ = 3;  // byte order mark
   line_begin_ = static_cast<std::int64_t>(at_);
 }
@@ -94,7 +99,10 @@ std::string_view Words::next() {
     }
     std::size_t stop = at_;
     while (stop < end_ && !is_blank(block_[stop])) ++stop;
-    if (stop == end_ && stop - at_ <= longest_word && refill()) continue;
+    if (const std::size_t length = stop - at_; stop == end_ && length <= longest_word) {
+      if (refill()) continue;
+      stop = at_ + length;  // the file ends with this word, which has moved to the begin of the block
+    }
     line_ = line_now_;
     column_ = read_ - static_cast<std::int64_t>(end_ - at_) - line_begin_ + 1;
     if (stop - at_ > longest_word) fail("a word of more than 256 letters, expected a text file of numbers");

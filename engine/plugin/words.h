@@ -47,4 +47,8 @@ class Words {
 /// A decimal number as programs write it (1, -2.5, +3.0e-4); false if the text is none, or not finite.
 bool to_number(std::string_view text, double& number);
 
+/// Whether a file that starts so is text of two bytes a letter ("Unicode text" in Windows programs).
+bool is_utf16(std::string_view start);
+constexpr const char* save_as_utf8 = "the text is UTF-16: save the file as UTF-8 or ASCII";
+
 }  // namespace flyrock

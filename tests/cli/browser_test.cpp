@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <regex>
 #include <sstream>
 #include <tuple>
@@ -259,16 +260,16 @@ TEST_CASE("A browser with WebGL draws the ground and the paths of a 3D run, and 
 
 namespace {
 
-/// A cell of a map: the middle, and the value.
+/// A cell of a map: the middle, the value that gives its colour, and the one that it tells.
 struct MapCell {
-  double x, y, value;
+  double x, y, value, told;
 };
 
 std::vector<MapCell> map_cells(const std::vector<std::string>& lines) {
   std::vector<MapCell> cells;
   for (const std::string& line : lines) {
     MapCell cell{};
-    REQUIRE(std::sscanf(line.c_str(), "%lf|%lf|%lf", &cell.x, &cell.y, &cell.value) == 3);
+    REQUIRE(std::sscanf(line.c_str(), "%lf|%lf|%lf|%lf", &cell.x, &cell.y, &cell.value, &cell.told) == 4);
     cells.push_back(cell);
   }
   std::sort(cells.begin(), cells.end(),
@@ -276,20 +277,22 @@ std::vector<MapCell> map_cells(const std::vector<std::string>& lines) {
   return cells;
 }
 
-/// Chooses maps one after the other. The page then ends with what each shows: the cells of its plot.
+/// Chooses maps one after the other. The page then ends with what each shows: the cells of its plot, and the
+/// ends and marks of its colours.
 const char* const choose_maps = R"(<script>{
 const maps = document.getElementById("maps"), pictures = new Set();
 const choose = (select, value) => { select.value = value; select.dispatchEvent(new Event("change")); };
-choose(maps.querySelector('[aria-label="Colours"]'), "linear");  // logarithmic ones are made of other numbers
-for (const [point, raster] of [[0, "Nr_passages"], [0, "E_max"], [1, "E_max"], [1, "Ph_p95"]]) {
+for (const [colours, point, raster] of [["linear", 0, "Nr_passages"], ["linear", 0, "E_max"], ["linear", 1, "E_max"], ["linear", 1, "Ph_p95"], ["logarithmic", 0, "E_max"], ["own", 0, "E_max"]]) {
+  choose(maps.querySelector('[aria-label="Colours"]'), colours);
   choose(document.querySelector('[aria-label="Sweep point"]'), point);
   choose(maps.querySelector('[aria-label="Raster"]'), raster);
   const map = maps.querySelector(".plot").data.findLast((trace) => trace.type === "heatmap");  // on the relief
   const lines = map.z.flatMap((row, i) => row.flatMap((value, j) =>
-    (value === null ? [] : [`${map.x0 + j * map.dx}|${map.y0 + i * map.dy}|${value}`])));
+    (value === null ? [] : [`${map.x0 + j * map.dx}|${map.y0 + i * map.dy}|${value}|${map.customdata[i][j]}`])));
+  const marks = (map.colorbar.tickvals ?? []).map((at, i) => `${at}|${map.colorbar.ticktext[i]}`);
   pictures.add([...maps.querySelectorAll(".heatmaplayer image")].at(-1).href.baseVal);
   const told = document.createElement("pre");
-  told.textContent = `map ${raster} of ${point}: ${maps.querySelector(".note").textContent}\n${lines.join("\n")}\n`;
+  told.textContent = `map ${raster} of ${point}, ${colours}: ${maps.querySelector(".note").textContent}\n${map.zmin} ${map.zmax} ${marks.join(" ")}\n${lines.join("\n")}\n`;
   document.body.append(told);
 }
 document.body.dataset.pictures = pictures.size;
@@ -314,34 +317,62 @@ TEST_CASE("A browser draws the maps of a 3D run, each with the numbers of result
   page.insert(page.rfind("</body>"), choose_maps);
   const Opened drawn = open_page(folder, folder.path() / folder.write("choices.html", page));
   CHECK(drawn.console == "");
-  CHECK(drawn.page.find("data-pictures=\"4\"") != std::string::npos);  // each choice is another picture
-  for (const auto& [raster, point] :
-       {std::pair{"Nr_passages", 0}, {"E_max", 0}, {"E_max", 1}, {"Ph_p95", 1}}) {
+  CHECK(drawn.page.find("data-pictures=\"5\"") != std::string::npos);  // "own" is one of the others
+  for (const auto& [raster, point, colours] : {std::tuple{"Nr_passages", 0, "linear"},
+                                               {"E_max", 0, "linear"},
+                                               {"E_max", 1, "linear"},
+                                               {"Ph_p95", 1, "linear"},
+                                               {"E_max", 0, "logarithmic"},
+                                               {"E_max", 0, "own"}}) {
     const std::string number = std::to_string(point);
-    const std::string head = "<pre>map " + (raster + (" of " + number)) + ": Shown: ";
+    const std::string head =
+        "<pre>map " + (raster + (" of " + number)) + ", " + colours + std::string(": Shown: ");
     INFO(head);
     const std::size_t start = drawn.page.find(head);
     REQUIRE(start != std::string::npos);
     std::istringstream told(drawn.page.substr(start, drawn.page.find("</pre>", start) - start));
-    std::string note;
+    std::string note, scale;
     std::getline(told, note);
+    std::getline(told, scale);
     std::vector<std::string> lines;
     for (std::string line; std::getline(told, line);) lines.push_back(line);
     const std::vector<MapCell> shown = map_cells(lines);
     const std::vector<MapCell> stored = map_cells(query(
         folder.path() / "r/results.db",
         std::string("SELECT x_m + (maps.\"column\" + 0.5) * cell_m, y_m + (maps.\"row\" + 0.5) * cell_m, ") +
-            raster + " FROM maps JOIN map_grids USING (point) WHERE point = " + number));
+            raster + ", 0 FROM maps JOIN map_grids USING (point) WHERE point = " + number));
     CHECK(note.find("point " + number + ": materials.soil.friction.mu = ") != std::string::npos);
     CHECK(note.find("; cells of 1 m, " + std::to_string(stored.size()) + " cells with rocks.") !=
           std::string::npos);
     REQUIRE(shown.size() == stored.size());
     REQUIRE(shown.size() > 100);
+    const auto by_value = [](const MapCell& a, const MapCell& b) { return a.value < b.value; };
+    const auto [least, most] = std::minmax_element(stored.begin(), stored.end(), by_value);
+    REQUIRE(least->value > 0);
+    const bool is_logarithmic = colours == std::string("logarithmic") ||
+                                (colours == std::string("own") && most->value > 100 * least->value);
+    const auto of_colour = [&](double value) { return is_logarithmic ? std::pow(10, value) : value; };
     std::size_t equal = 0;
     for (std::size_t i = 0; i < shown.size(); ++i)
       equal += shown[i].x == stored[i].x && shown[i].y == stored[i].y &&
-               shown[i].value == Approx(stored[i].value).epsilon(6e-4);  // the page has four digits
+               of_colour(shown[i].value) == Approx(stored[i].value).epsilon(6e-4) &&
+               shown[i].told == Approx(stored[i].value).epsilon(6e-4);  // the page has four digits
     CHECK(equal == shown.size());
+    // The colours reach from the least value, or from 0, to the greatest, and the marks stand at what they
+    // say.
+    std::istringstream ends(scale);
+    double from = 0, to = 0, at = 0, text = 0;
+    REQUIRE(ends >> from >> to);
+    CHECK(of_colour(to) == Approx(most->value).epsilon(6e-4));
+    CHECK((is_logarithmic ? of_colour(from) : from) ==
+          Approx(is_logarithmic ? least->value : 0).epsilon(6e-4));
+    std::size_t marks = 0;
+    for (std::string mark; ends >> mark; ++marks) {
+      REQUIRE(std::sscanf(mark.c_str(), "%lf|%lf", &at, &text) == 2);
+      CHECK(std::pow(10, at) == Approx(text));
+      CHECK((at >= from - 1e-6 && at <= to + 1e-6));
+    }
+    CHECK((is_logarithmic ? marks >= 2 : marks == 0));
   }
   // The triangles of this ground are larger than the map; their contours stand, and are named.
   const std::string section = drawn.page.substr(drawn.page.find("<section id=\"maps\""));

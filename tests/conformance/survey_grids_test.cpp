@@ -117,7 +117,9 @@ std::string text_of(const HeightGrid& grid, RandomStream& rng) {
                                   {"", "-9999"},
                                   {"-9999", "NaN"},
                                   {"-9999", "-nan(ind)"},
-                                  {"-9999", "1.#QNAN"}},
+                                  {"-9999", "1.#QNAN"},
+                                  {"-9999", "NA"},
+                                  {"-9999", "nan(0x8000000000000)"}},
                                  rng);
     no_data = as.cell;
     if (*as.header)
@@ -157,6 +159,23 @@ TEST_CASE("a grid is the same ground in every dialect of text") {
   }
 }
 
+TEST_CASE("a grid may end without a line end, after a word of 256 letters it may not") {
+  std::string text = "ncols 40\nnrows 40\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+  for (int i = 0; i < 1600; ++i)
+    text += fmt::format("{}{}.25", i == 0 ? "" : i % 40 == 0 ? "\n" : " ", 400 + i % 37);
+  const HeightGrid grid = grid_of(TemporaryFile("open.asc", text).path);
+  REQUIRE(grid.heights.size() == 1600);
+  CHECK(grid.heights[39] == 400.25 + 1599 % 37);
+  CHECK(grid_error(text + std::string(300, '1')).find("a word of more than 256 letters") !=
+        std::string::npos);
+}
+
+TEST_CASE("a grid of UTF-16 is refused with the cure") {
+  std::string wide = "\xFF\xFE";
+  for (const char c : std::string("ncols 2\n")) wide += {c, '\0'};
+  CHECK(grid_error(wide) == ":1:1: the text is UTF-16: save the file as UTF-8 or ASCII");
+}
+
 TEST_CASE("cells count as squares to 1e-4, others are refused with the command that resamples") {
   const std::string head = "ncols 3\nnrows 2\nxllcorner 100\nyllcorner 200\n", rows = "1 2 3\n4 5 6\n";
   const TemporaryFile nearly("nearly.asc", head + "dx 5.0001\ndy 5.0002\n" + rows);
@@ -187,6 +206,32 @@ TEST_CASE("heights that no ground has are refused with value, count and no_data,
     CHECK(std::count_if(grid.heights.begin(), grid.heights.end(), [](double z) { return std::isnan(z); }) ==
           3);
   }
+}
+
+TEST_CASE("a value far from all other heights is refused where it is a code of no data, else named") {
+  const auto grid = [](const std::string& value) {
+    return fmt::format(
+        "ncols 4\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 1\n{0} 501 502 503\n{0} 501 502 503\n500 501 "
+        "502 503\n",
+        value);
+  };
+  const auto notes_of = [&](const std::string& value, const SurveyKeys& keys = {}) {
+    const TemporaryFile file("lonely.asc", grid(value));
+    std::vector<std::string> notes = survey_of("raster", file.path, keys).report.notes;
+    for (std::string& note : notes) note.erase(0, file.path.size() + 2);
+    return notes;
+  };
+  const auto text = [](const char* height, const char* how, const char* value) {
+    return fmt::format("2 cells are {} m, {} all others: write `no_data: {}` if these cells have no data",
+                       height, how, value);
+  };
+  using Notes = std::vector<std::string>;
+  CHECK(grid_error(grid("-999")) == " " + text("-999", "1499 m below", "-999"));
+  CHECK(grid_error(grid("-999"), {{"unit", "ft"}}) == " " + text("-304.4952", "457 m below", "-999"));
+  CHECK(notes_of("0") == Notes{text("0", "500 m below", "0")});
+  CHECK(notes_of("8888") == Notes{text("8888", "8385 m above", "8888")});
+  CHECK(notes_of("-999", {{"no_data", -999.0}}).empty());
+  CHECK(notes_of("410").empty());
 }
 
 TEST_CASE("scale and unit make metres of heights, plan_unit of places") {

@@ -108,6 +108,40 @@ TEST_CASE("names with blanks are parts, and materials where there are no groups"
         " has no line `usemtl`, which `parts: materials` asks for");
 }
 
+TEST_CASE("an OBJ file that was joined of two has the byte order mark of each, one of UTF-16 is refused") {
+  const std::string mark = "\xEF\xBB\xBF", other = "v 1 0 0\nv 2 0 0.5\nv 2 1 0.5\nf -3 -2 -1\n";
+  const Mesh mesh = mesh_of(TemporaryFile("joined.obj", mark + square + "f 1 2 3\nf 1 3 4\n" + mark + other));
+  REQUIRE(mesh.triangles.size() == 3);
+  CHECK(mesh.vertices[mesh.triangles[2][0]] == Vec3(1, 0, 0));
+  std::string wide = "\xFF\xFE";
+  for (const char c : square + "f 1 2 3\n") wide += {c, '\0'};
+  CHECK(survey_error("mesh", TemporaryFile("wide.obj", wide)) ==
+        ":1: the text is UTF-16: save the file as UTF-8 or ASCII");
+}
+
+TEST_CASE("a line of an OBJ that looks like a vertex is not passed over") {
+  const auto error = [](const std::string& first) {
+    return survey_error("mesh", TemporaryFile("odd.obj", first + square + "f 1 2 3\n"));
+  };
+  CHECK(error("V 0 0 1\n") == ":1: `V` is no statement of OBJ, expected `v`");
+  for (const char* blank : {"\xC2\xA0", "\x0B"})
+    CHECK(
+        error(fmt::format("v{}0 0 1\n", blank)).find("which has a character that no statement of OBJ has") !=
+        std::string::npos);
+  CHECK(error("\x1A\n") == "no error");
+  CHECK(error("vp 0 0 1\nshadow_obj x\n") == "no error");
+}
+
+TEST_CASE("tiles that overlap are no slit, because a weld does not close it") {
+  Mesh mesh = Sheet{.columns = 8, .rows = 8, .hill = 0}.mesh();
+  Sheet other{.columns = 8, .rows = 8, .hill = 0};
+  other.corner = {13, 0};  // 3 of 16 m on one plane, with border vertices on the border of the first
+  append(mesh, other.mesh());
+  const std::string error = survey_error("mesh", TemporaryFile("tiles.obj", obj_of(mesh)));
+  CHECK(error.find("two surfaces lie over each other at (") != std::string::npos);
+  CHECK(error.find("weld") == std::string::npos);
+}
+
 TEST_CASE("STL is read with capitals, bytes at its end, and `solid` in a binary header") {
   const std::string text =
       "SOLID Hill\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 2 0 0\nVERTEX 2 1 "

@@ -153,7 +153,7 @@ class GridMaker {
         text += std::isnan(height) ? none.cell : fmt::format("{:.3f}", height);
         text += ++on_line % wrap == 0 || (wrap == grid_.columns && column + 1 == grid_.columns) ? end : " ";
       }
-    write_here("ground.asc", text);
+    write_here("ground.asc", with_last_line(dice_, std::move(text)));
     file_.terrain = "type: raster, file: ground.asc";
   }
 
@@ -174,7 +174,7 @@ class GridMaker {
       }
       text += end + end;
     }
-    write_here("ground.grd", text);
+    write_here("ground.grd", with_last_line(dice_, std::move(text)));
     file_.terrain = "type: raster, file: ground.grd";
     file_.tolerance = 1e-4;  // of its places
   }

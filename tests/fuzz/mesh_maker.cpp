@@ -241,7 +241,7 @@ class MeshMaker {
       }
       text += end;
     }
-    write_here("ground.obj", text);
+    write_here("ground.obj", with_last_line(dice_, std::move(text)));
     file_.terrain = "type: mesh, file: ground.obj" + file_.terrain;
   }
 
@@ -263,7 +263,7 @@ class MeshMaker {
     if (is_capital)
       for (char& c : text)
         if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    return text;
+    return with_last_line(dice_, std::move(text));
   }
 
   std::string stl_bytes() {

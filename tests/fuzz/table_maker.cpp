@@ -79,7 +79,7 @@ TerrainFile make_profile_file(Dice& dice) {
     text += style.line(fields);
     if (dice.one_in(8)) text += style.end;
   }
-  write_here("section.csv", text);
+  write_here("section.csv", with_last_line(dice, std::move(text)));
   file.terrain = "type: profile, file: section.csv";
   if (turned > 0) {
     file.fault = "run in `dimension: 3`";
@@ -142,7 +142,7 @@ TerrainFile make_tree_file(Dice& dice) {
     for (std::size_t i = 0; i < more; ++i) fields.push_back(one_of(dice, {"", "old", "3"}));
     text += style.line(fields);
   }
-  write_here("trees.csv", text);
+  write_here("trees.csv", with_last_line(dice, std::move(text)));
   if (is_wrong) file.fault = "name the unit of its numbers in its head, `dbh_cm` or `dbh_m`";
   return file;
 }

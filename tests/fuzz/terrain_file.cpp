@@ -15,6 +15,11 @@ double rounded_draw(Dice& dice, double low, double high, int decimals) {
   return std::stod(fmt::format("{:.{}f}", draw(dice, low, high), decimals));
 }
 
+std::string with_last_line(Dice& dice, std::string text) {
+  if (dice.one_in(4)) text.resize(text.find_last_not_of(" \r\n") + 1);
+  return text;
+}
+
 std::string one_of(Dice& dice, std::initializer_list<const char*> texts) {
   return *(texts.begin() + dice.below(texts.size()));
 }

@@ -43,6 +43,8 @@ TerrainFile make_tree_file(Dice& dice);     ///< trees on a grid
 double draw(Dice& dice, double low, double high);
 /// The same with so many decimals, which a file can hold.
 double rounded_draw(Dice& dice, double low, double high, int decimals);
+/// Some programs write no line end after the last line.
+std::string with_last_line(Dice& dice, std::string text);
 /// One of some texts.
 std::string one_of(Dice& dice, std::initializer_list<const char*> texts);
 

@@ -37,8 +37,8 @@ function draw_rose(node, azimuths) {
   const window = window_of(node, traces, 620);
   plot(node, traces, {
     height: window.height, legend, hovermode: "closest",
-    xaxis: { ...place_axis("runout towards +x in m"), range: window.x },
-    yaxis: { ...place_axis("runout towards +y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
+    xaxis: { ...place_axis(`${runout_short} towards +x in m`), range: window.x },
+    yaxis: { ...place_axis(`${runout_short} towards +y in m`), range: window.y, scaleanchor: "x", scaleratio: 1 },
   }, true);
 }
 

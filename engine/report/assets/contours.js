@@ -55,8 +55,8 @@ function refined(line, apart) {
   });
 }
 
-/** The lines of few round heights within a window, as one trace, and the names of the heights: each at the middle of its longest stretch in the window. */
-function contours(ground, window) {
+/** The lines of few round heights within a window, as one trace, and the names of the heights: each on its longest stretch in the window, as near to the middle as there is room. */
+function contours(ground, window, room) {
   const inside = ([x, y]) => x >= window.x[0] && x <= window.x[1] && y >= window.y[0] && y <= window.y[1];
   const heights = heights_in(ground, window), low = least(heights), high = most(heights), apart = (window.x[1] - window.x[0]) / 50;
   if (!(high > low)) return { traces: [], annotations: [] };
@@ -75,8 +75,12 @@ function contours(ground, window) {
       }
     }
     if (longest.length < 2) continue;
-    const [x, y] = longest[Math.floor(longest.length / 2)];
-    annotations.push({ x, y, text: `${(n * step).toFixed(digits)} m`, showarrow: false, bgcolor: "rgba(255,255,255,0.75)", font: { size: 11, color: "#6b5d45" } });
+    const middle = longest.length / 2, text = `${(n * step).toFixed(digits)} m`;
+    const from_middle = [...longest.keys()].sort((a, b) => Math.abs(a - middle) - Math.abs(b - middle)).map((i) => longest[i]);
+    const place = room(text, from_middle, { size: 11, is_middle: true });
+    if (place === null) continue;
+    const [x, y] = place;
+    annotations.push({ x, y, text, showarrow: false, bgcolor: "rgba(255,255,255,0.75)", font: { size: 11, color: "#6b5d45" } });
   }
   const trace = { ...line, mode: "lines", name: `height every ${show(step)} m`, line: { color: "#b8a888", width: 1 }, hoverinfo: "skip" };
   return { traces: [trace], annotations };

@@ -101,8 +101,10 @@ function draw_cover_plan(page, point) {
   const spots = exposed.filter((e) => e.at), areas = point.clearance.filter((c) => c.area && c.distance !== null);
   const p99 = shown_group().runout.p99, far = Math.max(...circles.map((c) => c.distance), ...areas.map((c) => c.distance), p99 ?? 0, 1);
   const around = [[centre[0] - far, centre[1] - far], [centre[0] + far, centre[1] + far]];
-  const all = [...around, ...spots.map((e) => e.at), ...lines.flatMap((l) => l.line)], margin = 0.03 * far;
+  const across = places_of(point).filter((p) => !p.line);  // at one x, over the whole plan
+  const all = [...around, ...spots.map((e) => e.at), ...lines.flatMap((l) => l.line), ...across.map((p) => [p.x, centre[1]])], margin = 0.03 * far;
   const to = sheet_scale([least(all.map(([x]) => x)) - margin, most(all.map(([x]) => x)) + margin], [least(all.map(([, y]) => y)) - margin, most(all.map(([, y]) => y)) + margin]);
+  lines.push(...across.map((p) => ({ name: p.name, line: to.y.map((y) => [p.x, y]), colour: p.style.color })));
   const parts = [], rows = [], [cx, cy] = to.at(...centre);
   const ends = [...deposits_of(page.deposits).values()].flatMap((list) => list.points), every = Math.max(1, Math.ceil(ends.length / 1500));
   for (let i = 0; i < ends.length; i += every) {
@@ -112,25 +114,32 @@ function draw_cover_plan(page, point) {
   parts.push(svg_element("rect", { x: to.left, y: to.top, width: to.right - to.left, height: to.high, fill: "none", stroke: "#d5dae0" }));
   const circle = (radius, dash) => svg_element("circle", { cx, cy, r: to.scale * radius, fill: "none", stroke: dash ? colour.quiet : colour.brick, "stroke-dasharray": dash ?? "none" });
   const distance = ([x, y]) => Math.hypot(x - centre[0], y - centre[1]), azimuth = ([x, y]) => ((Math.atan2(y - centre[1], x - centre[0]) * 180) / Math.PI + 360) % 360;
-  const number = (x, y) => { const n = rows.length + 1; parts.push(svg_element("circle", { cx: x, cy: y, r: 8, fill: "#fff", stroke: colour.ink }), drawn_text(x, y + 4, String(n), { "text-anchor": "middle" })); return n; };
-  const row = (n, text) => rows.push(`${n}  ${text}`);
+  const taken = [];
+  /** A number at the first of some places of the sheet that covers no other one. */
+  const number = (places) => {
+    const [x, y] = places.find(([px, py]) => taken.every(([qx, qy]) => Math.hypot(px - qx, py - qy) > 17)) ?? places[0], n = taken.push([x, y]);
+    parts.push(svg_element("circle", { cx: x, cy: y, r: 8, fill: "#fff", stroke: colour.ink }), drawn_text(x, y + 4, String(n), { "text-anchor": "middle" }));
+    return n;
+  };
+  const on_circle = (radius, first) => [0, 1, 2, 3, 4, 5, 6, 7].map((k) => first + (k * Math.PI) / 4).map((angle) => [cx + to.scale * radius * Math.cos(angle), cy - to.scale * radius * Math.sin(angle)]);
+  const row = (n, text) => rows.push(`${n}: ${text}`);
   const nearest = (line) => line.slice(1).map(([x1, y1], i) => { const [x0, y0] = line[i], vx = x1 - x0, vy = y1 - y0, t = Math.min(1, Math.max(0, ((centre[0] - x0) * vx + (centre[1] - y0) * vy) / (vx * vx + vy * vy || 1))); return [x0 + t * vx, y0 + t * vy]; }).reduce((a, b) => (distance(b) < distance(a) ? b : a));
   const where_text = (place) => `${show(Number(distance(place).toPrecision(3)))} m from the mean release, azimuth ${show(Math.round(azimuth(place)))} deg`;
   for (const line of lines) {
     parts.push(drawn_line(line.line.map((p) => to.at(...p)), { stroke: line.colour, "stroke-width": 2.5 }));
     const near = nearest(line.line), [x, y] = to.at(...near);
     parts.push(drawn_line([[cx, cy], [x, y]], { stroke: colour.quiet, "stroke-dasharray": "2 3" }));
-    row(number(x, y), `${line.name}: nearest ${where_text(near)}`);
+    row(number([[x, y], ...places_along(line.line).slice(2).map((p) => to.at(...p))]), `${line.name}: nearest ${where_text(near)}`);
   }
   for (const spot of spots) {
     const [x, y] = to.at(...spot.at);
     parts.push(drawn_line([[cx, cy], [x, y]], { stroke: colour.quiet, "stroke-dasharray": "2 3" }));
-    row(number(x, y), `${spot.name}: ${where_text(spot.at)}`);
+    row(number([[x, y]]), `${spot.name}: ${where_text(spot.at)}`);
   }
-  for (const c of circles) { parts.push(circle(c.distance)); row(number(cx + to.scale * c.distance * Math.SQRT1_2, cy - to.scale * c.distance * Math.SQRT1_2), clearance_words(c)); }
-  for (const c of areas) rows.push(`    area ${c.clearance}: reaches ${show(c.distance)} m from ${show(c.area.x)}, ${show(c.area.y)} (see Blasting area)`);
-  if (p99 !== null) { parts.push(circle(p99, "4 3")); row(number(cx - to.scale * p99 * Math.SQRT1_2, cy - to.scale * p99 * Math.SQRT1_2), `99 % of ${group_name(shown_group())} ${ends_at_landing ? "first land" : "stop"} within ${show(p99)} m`); }
-  parts.push(svg_element("circle", { cx, cy, r: 3, fill: colour.brick }), drawn_text(to.left, to.top - 8, `mean release (red) at x = ${show(Number(centre[0].toPrecision(6)))} m, y = ${show(Number(centre[1].toPrecision(6)))} m; x to the right, y upwards`, { fill: colour.quiet }));
+  for (const c of circles) { parts.push(circle(c.distance)); row(number(on_circle(c.distance, Math.PI / 4)), clearance_words(c)); }
+  for (const c of areas) rows.push(`area ${c.clearance}: reaches ${show(c.distance)} m from ${show(c.area.x)}, ${show(c.area.y)} (see Blasting area)`);
+  if (p99 !== null) { parts.push(circle(p99, "4 3")); row(number(on_circle(p99, (3 * Math.PI) / 4)), `99 % of ${group_name(shown_group())} ${ends_at_landing ? "first land" : "stop"} within ${show(p99)} m`); }
+  parts.push(svg_element("circle", { cx, cy, r: 3, fill: colour.brick }), drawn_text(to.left, to.top - 8, `mean release (red) at x = ${show(centre[0])} m, y = ${show(centre[1])} m; x to the right, y upwards`, { fill: colour.quiet }));
   rows.forEach((text, i) => parts.push(drawn_text(to.left, to.bottom + 18 + 15 * i, text)));
   const end = to.bottom + 18 + 15 * rows.length + 8;
   return { parts: [...parts, ...drawn_scale(to, end)], high: end + 12 };

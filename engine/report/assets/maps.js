@@ -41,14 +41,14 @@ function draw_map(node, map, name, page, crossings) {
   const { z, x, y } = map_rows(map, name), unit = data.map_units[name], title = in_unit(map_titles[name], unit);
   const edges = { x: [x - map.cell / 2, x + (z[0].length - 0.5) * map.cell], y: [y - map.cell / 2, y + (z.length - 0.5) * map.cell] }, lines = plan_lines(crossings);
   const window = window_of(node, [edges, ...lines], 700), ground = ground_of_point();
-  const heights = ground ? contours(ground, window) : { traces: [], annotations: [] }, places = place_lines(crossings, window.height), frame = map_frame(ground, window);
+  const places = place_lines(crossings, window.height, plan_pixels(node, window)), room = room_for_names(node, window, places.annotations), names = plan_names(crossings, room), heights = ground ? contours(ground, window, room) : { traces: [], annotations: [] }, frame = map_frame(ground, window);
   const cells = { type: "heatmap", x0: x, dx: map.cell, y0: y, dy: map.cell, ...colours_of(z, map[name], unit || "rocks"), customdata: z, hoverongaps: false, colorscale: "Viridis", reversescale: true, opacity: 0.8,
     hovertemplate: `x %{x:.6~f} m, y %{y:.6~f} m<br>${map_titles[name]} %{customdata}${unit ? ` ${unit}` : ""}<extra></extra>`, name: title, showlegend: false };
   plot(node, [...frame.traces, cells, ...heights.traces, ...lines], {
     height: window.height, hovermode: "closest", legend,
     xaxis: { ...place_axis("x in m"), range: window.x },
     yaxis: { ...place_axis("y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
-    shapes: [...places.shapes, ...frame.shapes], annotations: [...heights.annotations, ...places.annotations, ...frame.annotations],
+    shapes: [...places.shapes, ...frame.shapes], annotations: [...heights.annotations, ...places.annotations, ...names, ...frame.annotations],
   }, true);
 }
 

@@ -29,7 +29,7 @@ function observed_scores(observed) {
   const with_error = (value, error) => (value === null ? "–" : `${show(value)} ± ${show(error)}`);
   const inside = observed.inside_90;
   const rows = [
-    ["rows measured", observed.rows], ["rocks of the model that came to rest", observed.values], ["left the domain or still moved (in no other number)", observed.censored], ["failed", observed.lost],
+    ["rows measured", observed.rows], [{ rock: `rocks of the model that ${ends_at_landing ? "landed" : "came to rest"}`, blast: "blasts of the model, each with its farthest rock", hole: "blasts of the model: one a row and trial, with its farthest rock" }[observed.per] ?? "values of the model", observed.values], ["left the domain or still moved (in no other number)", observed.censored], ["failed", observed.lost],
     ["bias: model − measured, m", right(with_error(observed.bias, observed.bias_error))],
     ...(observed.across === null ? [] : [["bias across the way, m", right(with_error(observed.across, observed.across_error))]]),
     ["energy distance, m", observed.energy_distance],
@@ -50,7 +50,7 @@ function draw_throws(node, observed) {
 }
 
 function throw_scores(throws) {
-  const of = (value, [low, high]) => right(`${show(value)} (95 % interval ${show(low)} to ${show(high)})`);
+  const of = (value, [low, high]) => right(`${show(value)} (95 % interval ${high === null ? `from ${show(low)} on` : `${show(low)} to ${show(high)}`})`);
   return table("Throws", ["score", "value"], [
     ["blasts", throws.blasts], ["share on which the model falls short", right(with_interval(throws.short, throws.short_interval))],
     ...throws.factors.map((factor) => [`factor that covers ${show(100 * factor.covers)} % of the blasts`, of(factor.factor, factor.interval)]),

@@ -52,13 +52,13 @@ function section_of_point(title, build) {
 const numbers = (...tables) => element("details", {}, element("summary", {}, "Numbers of this plot"), ...tables);
 
 // ---- numbers ---------------------------------------------------------------------------------------------------
-/** Counts in full; else four significant digits, no exponent between 0.001 and a thousand million. */
+/** Counts in full; else four significant digits and all before the point, as coordinates of a country need; no exponent between 0.001 and a thousand million. */
 function show(value) {
   if (value === null || value === undefined) return "–";
   if (Number.isSafeInteger(value)) return String(value);
   const size = Math.abs(value);
   if (size >= 1e9 || size < 1e-3) return value.toExponential(3);
-  return String(Number(value.toPrecision(4)));
+  return String(size >= 1e4 ? Math.round(value) : Number(value.toPrecision(4)));
 }
 /** A share in percent: three digits, and near 100 as many as tell it from 100. */
 function in_percent(share) {

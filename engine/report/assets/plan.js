@@ -17,12 +17,12 @@ function draw_plan(node, page, tracks, crossings) {
   const paths = track_traces(lines_of(tracks), ends_in_space(page, tracks), (p) => [p.x, p.across], ["x", "y"], false), s = page.section;
   const cut = { x: [s.from, s.to].map((along) => s.x + along * s.dx), y: [s.from, s.to].map((along) => s.y + along * s.dy), mode: "lines", name: "long section", line: { color: "#5a6370", width: 1, dash: "dash" }, hoverinfo: "skip" };
   const lines = plan_lines(crossings), window = window_of(node, [...paths, ...lines], 700), ground = ground_of_point();
-  const heights = ground ? contours(ground, window) : { traces: [], annotations: [] }, places = place_lines(crossings, window.height), frame = map_frame(ground, window);
+  const places = place_lines(crossings, window.height, plan_pixels(node, window)), room = room_for_names(node, window, places.annotations), names = plan_names(crossings, room), heights = ground ? contours(ground, window, room) : { traces: [], annotations: [] }, frame = map_frame(ground, window);
   plot(node, [...frame.traces, ...heights.traces, ...stems_in_plan(page, window), cut, ...paths, ...lines], {
     height: window.height, hovermode: "closest", legend,
     xaxis: { ...place_axis("x in m"), range: window.x },
     yaxis: { ...place_axis("y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
-    shapes: [...places.shapes, ...frame.shapes], annotations: [...heights.annotations, ...places.annotations, ...frame.annotations],
+    shapes: [...places.shapes, ...frame.shapes], annotations: [...heights.annotations, ...places.annotations, ...names, ...frame.annotations],
   }, true);
 }
 

@@ -81,7 +81,7 @@ function draw_envelopes(node, envelopes, group, point) {
   const layout = { height: 760, legend, hovermode: "closest", bargap: 0, xaxis: { ...axis("distance x in m"), anchor: "y4" } };
   envelope_rows.forEach(([, title], row) => { layout[`yaxis${row === 0 ? "" : row + 1}`] = { ...axis(title), domain: rows[row], rangemode: "tozero" }; });
   layout.yaxis4 = { ...axis("rocks"), domain: rows[3], rangemode: "tozero" };
-  plot(node, traces, { ...layout, ...place_lines(point, 760) });
+  plot(node, traces, { ...layout, ...place_lines(point, 760, pixels_of(node, [x[0], x.at(-1)])) });
 }
 
 function envelopes_section() {

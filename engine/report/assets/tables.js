@@ -83,14 +83,15 @@ function outer_section() {
     const of_group = group && `rocks.${group}.count` in numbers ? `rocks.${group}.` : "rocks.";
     const measures = [...["runout", "speed", "energy"].flatMap((q) => ["p50", "p95", "p99", "max"].map((s) => `${of_group}${q}.${s}`)),
       ...Object.keys(numbers).filter((name) => !name.startsWith("rocks."))].filter((name) => name in numbers);
-    const shares = (name) => numbers[name].unit === "1" && !name.endsWith(".hits");
+    const shares = (name) => numbers[name].unit === "1" && !name.endsWith(".hits"), is_energy = (name) => numbers[name].unit === "kg m2/s2";
+    const unit = (name) => (shares(name) ? "%" : is_energy(name) ? "kJ" : numbers[name].unit);
     const cell = (name, statistic) => {
       const number = numbers[name], value = number[statistic], bound = number.lower_bounds.includes(statistic) ? "≥ " : "";
-      return right(value === null ? "–" : `${bound}${shares(name) ? in_percent(value) : show(value)}`);
+      return right(value === null ? "–" : `${bound}${shares(name) ? in_percent(value) : show(is_energy(name) ? value / 1000 : value)}`);
     };
     return [table(`${counted(runs, "run", "runs")} of ${counted(trials, "trial", "trials")} each${lost > 0 ? `, ${lost} without numbers because too many rocks failed` : ""}`,
       ["number", "unit", "runs", "least", "p5", "median", "p95", "greatest"],
-      measures.map((name) => [name, shares(name) ? "%" : numbers[name].unit, numbers[name].runs, ...["min", "p5", "p50", "p95", "max"].map((s) => cell(name, s))])),
+      measures.map((name) => [name, unit(name), numbers[name].runs, ...["min", "p5", "p50", "p95", "max"].map((s) => cell(name, s))])),
     caption("How far each number scatters between runs that differ by what is drawn `per: run`. All other numbers of the page are over all runs together, and their intervals hold for these runs.",
       "The scatter also has the chance of the trials of one run, which more trials make smaller. runs: those that give the number. summary.json has all numbers.")];
   });

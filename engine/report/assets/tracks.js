@@ -99,7 +99,7 @@ function ground_at(terrain, at) {
 function draw_tracks(node, point, crossings, tracks, shrouds) {
   const terrain_x = point.terrain.x.map((v) => v / 1000), terrain_y = point.terrain.y.map((v) => v / 1000);
   const paths = track_traces(lines_of(tracks), ends_of_paths(tracks), (p) => [p.x, p.height], ["x", "y"]);
-  const fences = crossings.barriers.map((fence) => {
+  const barriers = [...crossings.barriers].sort((a, b) => a.x - b.x), fences = barriers.map((fence) => {
     const foot = ground_at(point.terrain, fence.x);
     return {
       x: [fence.x, fence.x], y: [foot, foot + fence.height_m * Math.cos((fence.inclination_deg * Math.PI) / 180)], mode: "lines", name: `barrier ${fence.barrier}`, line: { color: colour.brick, width: 5 }, showlegend: false,
@@ -119,8 +119,9 @@ function draw_tracks(node, point, crossings, tracks, shrouds) {
     height = Math.min(620, Math.max(280, (drawn * (top - low)) / (window.x[1] - window.x[0]) + 120 + movable_top));
   }
   const ground = { x: terrain_x, y: terrain_y, mode: "lines", name: "ground", line: { color: "#3b3f45", width: 2 }, hoverinfo: "skip" };
-  const names = fences.map((fence, i) => ({ x: fence.x[1], y: fence.y[1], yshift: 4 + 16 * (i % 3), yanchor: "bottom", xanchor: "left", showarrow: false, text: crossings.barriers[i].barrier, bgcolor: "rgba(255,255,255,0.85)", font: { color: colour.brick } }));
-  const lines = place_lines(crossings, height, (place) => place.of.height_m === undefined);  // a barrier is as high as it is drawn
+  const pixels = pixels_of(node, window.x ?? [terrain_x[0], terrain_x.at(-1)]), rows = rows_of_names(fences.map((fence) => pixels.of(fence.x[1])), barriers.map((fence) => fence.barrier));
+  const names = fences.map((fence, i) => ({ x: fence.x[1], y: fence.y[1], yshift: 4 + 16 * rows[i], yanchor: "bottom", xanchor: "left", showarrow: false, text: barriers[i].barrier, bgcolor: "rgba(255,255,255,0.85)", font: { color: colour.brick } }));
+  const lines = place_lines(crossings, height, pixels, (place) => place.of.height_m === undefined);  // a barrier is as high as it is drawn
   plot(node, [ground, ...shrouds, ...paths, ...fences], {
     height, hovermode: "closest", legend,
     xaxis: { ...axis("distance x in m"), range: window.x },

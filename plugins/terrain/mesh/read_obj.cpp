@@ -63,7 +63,9 @@ class CheckedLines : public std::streambuf {
     if (!std::getline(file_, text_)) return traits_type::eof();
     ++lines_read_;
     line_ = lines_read_;
-    if (line_ == 1 && text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);  // byte order mark
+    if (line_ == 1 && is_utf16(text_)) fail(save_as_utf8);
+    // The byte order mark begins the file, and each file that was joined to it.
+    while (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
     std::string more;
     while (text_.ends_with('\\') || text_.ends_with("\\\r")) {
       text_.resize(text_.rfind('\\'));
@@ -72,7 +74,8 @@ class CheckedLines : public std::streambuf {
       text_ += ' ' + more;
     }
     text_.resize(std::min(text_.find('#'), text_.size()));
-    text_.resize(std::min(text_.find('\0'), text_.size()));
+    constexpr std::string_view ends("\0\x1A", 2);  // the second ends texts of DOS
+    text_.resize(std::min(text_.find_first_of(ends), text_.size()));
     check();
     text_ += '\n';
     setg(text_.data(), text_.data(), text_.data() + text_.size());
@@ -83,8 +86,22 @@ class CheckedLines : public std::streambuf {
   void check() {
     const std::vector<std::string_view> words = words_of(text_);
     if (words.empty()) return;
+    check_statement(words[0]);
     if (words[0] == "v") check_vertex(words);
     if (words[0] == "f") check_face(words);
+  }
+
+  /// A vertex that is not taken for one shifts all faces, so a word that looks like `v` must not be passed
+  /// over.
+  void check_statement(std::string_view word) const {
+    for (const char c : word)
+      if (c <= ' ' || c > '~')
+        fail(
+            fmt::format("the line begins with `{}`, in which a letter is none of ASCII: write `v`, `f` and "
+                        "blanks",
+                        word));
+    if (word == "V" || word == "F")
+      fail(fmt::format("`{}` is no statement of OBJ, expected `{}`", word, word == "V" ? "v" : "f"));
   }
 
   void check_vertex(const std::vector<std::string_view>& words) {

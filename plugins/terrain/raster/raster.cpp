@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "geometry/fill_voids.h"
@@ -14,8 +16,12 @@ namespace flyrock::plugins {
 
 namespace {
 
+/// A height as the file writes it. `metres`: of one unit of the heights.
+double in_file(const RasterFile& file, double height, double metres) {
+  return (height / metres - file.value_offset) / file.value_scale;
+}
+
 /// Heights that no ground has: the commonest of them is the value that a program writes for no data.
-/// `metres`: of one unit of the heights.
 std::string impossible_heights(const RasterFile& file, double metres) {
   std::map<double, std::size_t> counts;
   std::size_t all = 0;
@@ -28,12 +34,56 @@ std::string impossible_heights(const RasterFile& file, double metres) {
   if (all == 0) return {};
   const auto common = std::max_element(counts.begin(), counts.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
-  const double value = (common->first / metres - file.value_offset) / file.value_scale;
   return fmt::format(
       "{} cell{} {:.10g} m, and {} in all are below {:g} m or above {:g} m, which no ground is; write "
       "`no_data: {:.10g}` if these cells have no data, or `unit` or `scale` if the heights are not in m",
       common->second, common->second == 1 ? " is" : "s are", common->first, all, lowest_ground,
-      highest_ground, value);
+      highest_ground, in_file(file, common->first, metres));
+}
+
+/// Values that programs write for no data.
+bool is_code_of_no_data(double value) {
+  static constexpr std::array codes = {-9999.0, -99999.0, -999.0,  -32768.0, -32767.0,
+                                       9999.0,  99999.0,  32767.0, 65535.0};
+  return std::find(codes.begin(), codes.end(), value) != codes.end();
+}
+
+struct LonelyHeight {
+  std::string text;
+  bool is_code = false;  ///< no ground
+};
+
+/// One value far below or above all other heights: a code of no data in any number of cells, or 0 and the
+/// like in several. No cliff does that, because grids have cells on its face.
+std::vector<LonelyHeight> lonely_heights(const RasterFile& file, double metres) {
+  constexpr double far = 100;  // m
+  std::vector<LonelyHeight> found;
+  for (const double sign : {1.0, -1.0}) {  // the lowest, then the highest
+    double end = std::numeric_limits<double>::infinity(), next = end;
+    std::size_t count = 0;
+    for (const double height : file.grid.heights) {
+      const double z = sign * height;
+      if (z < end) {
+        next = end;
+        end = z;
+        count = 1;
+      } else if (z == end) {
+        ++count;
+      } else if (z < next) {
+        next = z;
+      }
+    }
+    if (!std::isfinite(next) || next - end <= far) continue;
+    const double value = std::stod(fmt::format("{:.10g}", in_file(file, sign * end, metres)));
+    const bool is_code = is_code_of_no_data(value);
+    if (count < 2 && !is_code) continue;
+    found.push_back(
+        {fmt::format("{} cell{} {:.10g} m, {:.0f} m {} all others: write `no_data: {:.10g}` if {} no data",
+                     count, count == 1 ? " is" : "s are", sign * end, next - end,
+                     sign > 0 ? "below" : "above", value, count == 1 ? "it has" : "these cells have"),
+         is_code});
+  }
+  return found;
 }
 
 class RasterTerrain : public SurveyedTerrain {
@@ -51,6 +101,10 @@ class RasterTerrain : public SurveyedTerrain {
     plan_to_metres(read);
     const double metres = heights_to_metres(read);
     if (const std::string wrong = impossible_heights(read, metres); !wrong.empty()) fail(wrong);
+    for (LonelyHeight& lonely : lonely_heights(read, metres)) {
+      if (lonely.is_code) fail(lonely.text);
+      read.notes.push_back(std::move(lonely.text));
+    }
     if (fill_ > 0)
       if (const FilledVoids filled = fill_voids(read.grid, fill_); filled.count > 0)
         read.notes.push_back(fmt::format("filled {} void{} of {} cell{} in all", filled.count,

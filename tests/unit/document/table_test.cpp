@@ -67,6 +67,8 @@ TEST_CASE("a table names each fault with line and column") {
   CHECK(read_csv("mas,vx\n1,2\n").errors ==
         "1:1: no column is `mass` (in kg, or `mass` with a unit), did you mean `mas`?\n");
   CHECK(read_csv("mass,mass_kg\n1,2\n").errors == "1:6: `mass_kg` is a second column of `mass`\n");
+  CHECK(read_csv("mass,H\xF6he\n1,2\n").errors ==
+        "1:1: the line is not UTF-8, expected a table saved as UTF-8\n");
   CHECK(read_csv("mass\n").errors == "1:1: the table has no line but its heads\n");
   CHECK(read_csv("mass\n1\n", {{"vx", "speed"}}).errors ==
         "1:1: no head is `speed`, which `columns` names for `vx`, expected `mass`\n");
