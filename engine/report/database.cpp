@@ -170,7 +170,7 @@ ResultDatabase::Insertions::Insertions(const SqliteFile& file, const TableConten
 }
 
 ResultDatabase::ResultDatabase(const std::filesystem::path& path, const Plan& plan)
-    : plan_(plan), file_(path) {}
+    : plan_(plan), file_(path), rows_of_rocks_(plan.points.size() > 1) {}
 
 void ResultDatabase::begin(bool weighted) {
   content_ = content_of(plan_.points.front());
@@ -213,10 +213,13 @@ void ResultDatabase::add_input_paths() {
 
 void ResultDatabase::add(int point, const TrialRecords& records) {
   const RecordNames& names = names_[static_cast<std::size_t>(point)];
+  const std::vector<RowsOfRocks::OfTable> long_tables = rows_of_rocks_.of(records, names, content_);
+  auto long_table = long_tables.begin();
   auto insertion = insertions_->tables.begin();
   visit_tables(records, [&](const Table& table, const auto& rows, auto visit_columns) {
     using Row = typename std::decay_t<decltype(rows)>::value_type;
-    (insertion++)->rows(rows, [&](Statement& to, const Row& row) {
+    Insertion& into = *insertion++;
+    const auto put_row = [&](Statement& to, const Row& row) {
       const auto put = [&](const Column& column, auto get) {
         if (is_stored(table, column, content_))
           shown_value(column, member_of(row, get), names, [&](const auto& value) { to.put(value); });
@@ -226,12 +229,16 @@ void ResultDatabase::add(int point, const TrialRecords& records) {
         visit_owner<Row>(table, put);
       }
       visit_columns(put);
-    });
+    };
+    if (table.many_rows)
+      into.rows((long_table++)->to_write, [&](Statement& to, std::size_t row) { put_row(to, rows[row]); });
+    else
+      into.rows(rows, put_row);
   });
-  const auto ranges = rows_of_rocks_.of(records);
   insertions_->rows_of_rock.rows(records.rocks, [&](Statement& to, const RockRecord& rock) {
     const auto number = static_cast<std::size_t>(&rock - records.rocks.data());
-    for (const auto& of_table : ranges) to.put(of_table[number].first, of_table[number].second);
+    for (const RowsOfRocks::OfTable& of_table : long_tables)
+      to.put(of_table.of_rock[number].first, of_table.of_rock[number].second);
   });
 }
 

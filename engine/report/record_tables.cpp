@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "report/shown_value.h"
+#include "batch/sha256.h"
+#include "record/columns.h"
 
 namespace flyrock {
 
@@ -35,6 +36,14 @@ std::string view_of(const Table& table, VisitColumns visit_columns, const TableC
       table.many_rows, table.name, columns);
 }
 
+template <class T>
+void write_value(ColumnWriter& bytes, const T& value) {
+  if constexpr (std::is_same_v<T, std::string_view>)
+    bytes.value(std::string(value));
+  else
+    bytes.value(value);
+}
+
 }  // namespace
 
 std::string stored_name(const Table& table) {
@@ -61,23 +70,52 @@ std::string record_tables_schema(const TableContent& content) {
   return tables + fmt::format("CREATE TABLE rows_of_rock ({});\n", fmt::join(ranges, ", ")) + views;
 }
 
-std::vector<std::vector<RowsOfRocks::Range>> RowsOfRocks::of(const TrialRecords& records) {
+std::int64_t RowsOfRocks::first_of(std::size_t table, const std::string& bytes, std::int64_t count) {
+  std::int64_t& written = written_[table];
+  const std::int64_t next = written + 1;
+  if (share_ && count > 0) {
+    // Half of a SHA-256 tells any rows apart that a run can have.
+    constexpr std::size_t digits = 32;
+    const std::string digest = sha256(bytes).substr(0, digits);
+    if (const auto found = remembered_.find(digest); found != remembered_.end()) return found->second;
+    if (remembered_.size() < most_remembered) remembered_.emplace(digest, next);
+  }
+  written += count;
+  return next;
+}
+
+std::vector<RowsOfRocks::OfTable> RowsOfRocks::of(const TrialRecords& records, const RecordNames& names,
+                                                  const TableContent& content) {
   written_.resize(static_cast<std::size_t>(tables()));
-  std::vector<std::vector<Range>> ranges;
-  visit_tables(records, [&](const Table& table, const auto& rows, auto) {
+  std::vector<OfTable> list;
+  visit_tables(records, [&](const Table& table, const auto& rows, auto visit_columns) {
     if constexpr (requires { rows[0].rock; }) {
       if (!table.many_rows) return;
-      std::int64_t& written = written_[ranges.size()];
-      std::vector<Range>& of_table = ranges.emplace_back();
-      auto row = rows.begin();
+      const std::size_t number = list.size();
+      OfTable& of_table = list.emplace_back();
+      const auto write_into = [&](ColumnWriter& bytes, const auto& row) {
+        visit_columns([&](const Column& column, auto get) {
+          if (is_stored(table, column, content))
+            shown_value(column, member_of(row, get), names,
+                        [&](const auto& value) { write_value(bytes, value); });
+        });
+      };
+      std::size_t row = 0;
       for (const RockRecord& rock : records.rocks) {
-        const std::int64_t first = written + 1;
-        for (; row != rows.end() && row->trial == rock.trial && row->rock == rock.rock; ++row) ++written;
-        of_table.push_back({first, written});
+        const std::size_t begin = row;
+        ColumnWriter bytes;
+        bytes.value(number);
+        for (; row < rows.size() && rows[row].trial == rock.trial && rows[row].rock == rock.rock; ++row)
+          if (share_) write_into(bytes, rows[row]);
+        const auto count = static_cast<std::int64_t>(row - begin);
+        const std::int64_t next = written_[number] + 1, first = first_of(number, bytes.bytes(), count);
+        of_table.of_rock.push_back({first, first + count - 1});
+        if (first == next)
+          for (std::size_t i = begin; i < row; ++i) of_table.to_write.push_back(i);
       }
     }
   });
-  return ranges;
+  return list;
 }
 
 int RowsOfRocks::tables() {

@@ -5,13 +5,19 @@
 // of a rock are consecutive there, and rows_of_rock holds the first and the last of each rock, in the order
 // of `rocks`: an index by point, trial and rock would take as long to build as the rows take to write. A view
 // shows the rows with their rock.
+//
+// All points of a sweep have the same random numbers, so that a rock often has the same rows at several
+// points: where only a barrier is swept, up to that barrier's place. Equal rows are stored once, and the
+// rocks share their range.
 
 #include <cstdint>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "record/tables.h"
+#include "report/shown_value.h"
 
 namespace flyrock {
 
@@ -43,12 +49,29 @@ class RowsOfRocks {
  public:
   using Range = std::pair<std::int64_t, std::int64_t>;
 
-  /// The ranges of the next chunk: by table, then by rock.
-  std::vector<std::vector<Range>> of(const TrialRecords& records);
+  /// The rows of one table in a chunk.
+  struct OfTable {
+    std::vector<Range> of_rock;
+    std::vector<std::size_t> to_write;  ///< numbers of the rows in the chunk that are not stored yet
+  };
+
+  /// `share`: rocks with equal rows share them.
+  explicit RowsOfRocks(bool share) : share_(share) {}
+
+  /// The tables of the next chunk, in the order of visit_tables. Rows are equal if tables show the same.
+  std::vector<OfTable> of(const TrialRecords& records, const RecordNames& names, const TableContent& content);
   static int tables();
 
  private:
-  std::vector<std::int64_t> written_;  ///< rows of earlier chunks in each table
+  /// Further rows are stored although they may be stored already: what is remembered takes 25 MB at most.
+  static constexpr std::size_t most_remembered = 200'000;
+
+  /// The first row of `count` rows with these bytes; the next row to be written where they are new.
+  std::int64_t first_of(std::size_t table, const std::string& bytes, std::int64_t count);
+
+  bool share_;
+  std::vector<std::int64_t> written_;                         ///< rows of earlier chunks in each table
+  std::unordered_map<std::string, std::int64_t> remembered_;  ///< the first row by the digest of all
 };
 
 }  // namespace flyrock

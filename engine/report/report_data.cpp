@@ -19,6 +19,7 @@
 #include "report/summary_data.h"
 #include "results/alarms.h"
 #include "results/cell_size.h"
+#include "results/unknown.h"
 #include "scenario/blast_readers.h"
 #include "units/units.h"
 
@@ -56,12 +57,26 @@ Json numbers_data() {
   return numbers;
 }
 
+/// The mean x of the releases.
+class MeanRelease {
+ public:
+  void add(const RockRecord& rock) {
+    if (weight_ == 0) first_ = rock.start_x;
+    sum_ += rock.weight * (rock.start_x - first_);  // national coordinates lose digits in a sum
+    weight_ += rock.weight;
+  }
+  double x() const { return weight_ > 0 ? first_ + sum_ / weight_ : unknown; }
+
+ private:
+  double first_ = 0, sum_ = 0, weight_ = 0;
+};
+
 /// Of all rocks, then of each group if there is more than one, as in PointResult::groups.
 class Runouts {
  public:
   explicit Runouts(const std::vector<GroupSummary>& groups) {
     for (const GroupSummary& group : groups)
-      groups_.push_back({RunoutData(group), Convergence(group.count - group.faults)});
+      groups_.push_back({RunoutData(group), Convergence(group.count - group.faults), MeanRelease()});
   }
 
   void add(const TrialRecords& chunk) {
@@ -89,13 +104,20 @@ class Runouts {
     for (const Group& group : groups_) list.push_back(group.convergence.data());
     return list;
   }
+  Json releases() const {
+    Json list = Json::array();
+    for (const Group& group : groups_) list.push_back(number(group.release.x()));
+    return list;
+  }
 
  private:
   struct Group {
     RunoutData distribution;
     Convergence convergence;
+    MeanRelease release;  // each pass adds the same rocks, which changes no mean
 
     void add(const Bounded& runout, const RockRecord& rock) {
+      release.add(rock);
       distribution.add(runout, rock.weight);
       convergence.add(runout, rock.trial, rock.weight);
     }
@@ -254,10 +276,10 @@ Json ReportData::finish(const Results& results, const GroundPictures& grounds,
         json_object("terrain", terrain_data(point.terrain.profile), "ground", grounds.of_point[p], "section",
                     section_data(point), "deposits", std::move(closed_[p].deposits), "tracks",
                     std::move(closed_[p].tracks), "cell", cell_data(point), "runout", runouts.distributions(),
-                    "convergence", runouts.convergence(), "envelopes", envelope_data(point), "map",
-                    map_data(point.maps, map_room), "sensitivity", std::move(closed_[p].sensitivity),
-                    "shrouds", shroud_data(point.reaches), "laws", std::move(laws), "bodies",
-                    bodies_data(plan.points[p], point.totals)));
+                    "release_x", runouts.releases(), "convergence", runouts.convergence(), "envelopes",
+                    envelope_data(point), "map", map_data(point.maps, map_room), "sensitivity",
+                    std::move(closed_[p].sensitivity), "shrouds", shroud_data(point.reaches), "laws",
+                    std::move(laws), "bodies", bodies_data(plan.points[p], point.totals)));
     if (point.forest) points.back()["stems"] = stems_data(point, most_stems / closed_.size());
   }
   return json_object("summary", summary_data(plan, results), "alarms", alarms(results.points), "source",

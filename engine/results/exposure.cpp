@@ -150,9 +150,10 @@ void ExposureTally::choose_radii() {
 void ExposureTally::count(const RockRecord& rock) {
   for (Exposed& exposed : exposed_) {
     if (rock.end_energy < exposed.plan.energy) continue;
+    // The landing that gives the radius lies on the edge of the kernel and counts, with the weight 0.
+    if (distance(exposed.plan, landing_of(rock)) > exposed.radius) continue;
     const double way = distance(exposed.plan, release_of(rock));
     const double q = std::min(1.0, part_of_area(exposed.plan, way) * kernel_at(exposed, landing_of(rock)));
-    if (!(q > 0)) continue;
     ++exposed.landings;
     exposed.has_landing = true;
     exposed.density += rock.weight * q / exposed.plan.area;

@@ -80,6 +80,40 @@ TEST_CASE("The database holds what the other tables hold, and every drawn number
         std::vector<std::string>{"0|0|equals|1", "1|1|equals|1", "2|0|below|0", "3|1|below|0"});
 }
 
+TEST_CASE(
+    "Rocks that do the same at several points of a sweep share their rows, and each point has all of them") {
+  const Folder folder;
+  const auto scenario = [](const std::string& height) {
+    return bench + ("barriers: [{ name: fence, x: 14, height: " + height + ", capacity: 1 MJ }]\n");
+  };
+  folder.write("sweep.yaml", scenario("{ sweep: [0.01, 30] }"));
+  folder.write("low.yaml", scenario("0.01"));
+  folder.write("high.yaml", scenario("30"));
+  for (const std::string name : {"sweep", "low", "high"})
+    REQUIRE(call(folder, "run " + name + ".yaml -o " + name + " --quiet").code == 0);
+  const auto rows = [&](const std::string& of, const std::string& table, const std::string& point) {
+    return query(folder.path() / of / "results.db",
+                 "SELECT * FROM " + table + " WHERE point = " + point + " ORDER BY trial, rock");
+  };
+  const auto count = [&](const std::string& table) {
+    return std::stoi(query(folder.path() / "sweep/results.db", "SELECT count(*) FROM " + table).front());
+  };
+  for (const std::string view : {"inputs", "impacts", "trajectories", "shapes"}) {
+    INFO(view);
+    std::vector<std::string> high = rows("high", view, "0"), of_sweep = rows("sweep", view, "1");
+    REQUIRE_FALSE(high.empty());
+    for (std::vector<std::string>* list : {&high, &of_sweep})
+      for (std::string& row : *list) row.erase(0, row.find('|'));  // the number of the point
+    CHECK(of_sweep == high);
+    CHECK(rows("sweep", view, "0") == rows("low", view, "0"));
+  }
+  // The shape of a rock and what it draws are the same at both points; what it does is not where the fence
+  // holds it.
+  CHECK(2 * count("shape_rows") <= count("shapes"));
+  CHECK(2 * count("input_rows") == count("inputs"));
+  CHECK(count("impact_rows") < count("impacts"));
+}
+
 TEST_CASE("The database has who passed a gate, who met a barrier, and how rocks travelled") {
   const Folder folder;
   folder.write(

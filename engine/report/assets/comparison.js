@@ -34,7 +34,7 @@ const no_differences = { lost: "too many rocks failed at it or at point 0", rows
 function difference_cells(name, d) {
   const number = rock_numbers[name], scale = number ? number.per_si : 100, digits = (value) => (value === null ? null : value * scale);
   const signed = (value) => (value === null ? "–" : `${value > 0 ? "+" : ""}${show(digits(value))}`);
-  const interval = d.trials_needed !== null ? `too few trials that differ (about ${d.trials_needed})` : d.differing_trials === 0 && d.pairs > 0 ? "no pair differs" : d.interval[0] === null ? "–" : `${signed(d.interval[0])} to ${signed(d.interval[1])}`;
+  const interval = d.trials_needed !== null ? `too few trials that differ: it needs about ${d.trials_needed} trials` : d.differing_trials === 0 && d.pairs > 0 ? "no pair differs" : d.interval[0] === null ? "–" : `${signed(d.interval[0])} to ${signed(d.interval[1])}`;
   return [right(signed(d.mean)), right(interval), d.pairs, d.censored];
 }
 const difference_unit = (name) => (rock_numbers[name] ? rock_numbers[name].unit || "–" : "% points");

@@ -38,10 +38,13 @@ function drawn_scale(to, y) {
     drawn_text(end + 6, y + 2, `${show(length)} m; both directions to the same scale, about 1 : ${Number(on_paper.toPrecision(2))} on paper of A4`)];
 }
 
+/** A text over lines that it hides. */
+const clear_text = (x, y, text) => drawn_text(x, y, text, { stroke: "#fff", "stroke-width": 3, "paint-order": "stroke" });
 /** A dimension line between two places of the sheet, in a row of its own. */
 const dimension_row = (x0, x1, y, text) => [
   drawn_line([[x0, y - 4], [x0, y + 4]], { stroke: colour.quiet }), drawn_line([[x1, y - 4], [x1, y + 4]], { stroke: colour.quiet }), drawn_line([[x0, y], [x1, y]], { stroke: colour.quiet }),
-  x1 > 0.62 * sheet.wide ? drawn_text(Math.min(x0, x1) + 6, y - 3, text) : drawn_text(Math.max(x0, x1) + 6, y + 4, text)];
+  // Beside the line where there is room for the text (6 a letter), else on it, with a ground that hides the lines to other rows.
+  Math.max(x0, x1) + 6 * text.length < sheet.wide ? clear_text(Math.max(x0, x1) + 6, y + 4, text) : clear_text(Math.min(x0, x1) + 6, y - 3, text)];
 
 /** What has a place along x or in plan: { name, text, at: x | [x, y], line }. */
 function exposed_places(point) {
@@ -55,7 +58,7 @@ const clearance_words = (c) => `clearance ${c.name}: ${c.bound ? "≥ " : ""}${s
 /** The section of a run in 2D: the ground, what stands on it as high as it is, and distances from the mean release. */
 function draw_cover_section(page, point) {
   const x_of = page.terrain.x.map((v) => v / 1000), y_of = page.terrain.y.map((v) => v / 1000), tracks = shown_tracks();
-  const starts = tracks.map((track) => points_of(track)[0].x), release = starts.length === 0 ? 0 : starts.reduce((a, b) => a + b, 0) / starts.length;
+  const starts = tracks.map((track) => points_of(track)[0].x), release = page.release_x?.[shown.group] ?? (starts.length === 0 ? 0 : starts.reduce((a, b) => a + b, 0) / starts.length);
   const p95 = shown_group().runout.p95;
   const from_release = (x) => show(Number(Math.abs(x - release).toPrecision(3)));
   const rows = [
@@ -80,13 +83,15 @@ function draw_cover_section(page, point) {
   if (top - low > 0.01) {
     const x = 14, [, y0] = to.at(0, top), [, y1] = to.at(0, low);
     parts.push(drawn_line([[x - 4, y0], [x + 4, y0]], { stroke: colour.quiet }), drawn_line([[x - 4, y1], [x + 4, y1]], { stroke: colour.quiet }), drawn_line([[x, y0], [x, y1]], { stroke: colour.quiet }),
-      drawn_text(x + 5, (y0 + y1) / 2, `${show(Number((top - low).toPrecision(4)))} m`));
+      clear_text(x + 5, (y0 + y1) / 2, `${show(Number((top - low).toPrecision(4)))} m`));
   }
   const from = to.at(release, 0)[0];
   parts.push(drawn_line([[from, to.top], [from, foot_y + rows.length * sheet.row - 10]], { stroke: colour.quiet, "stroke-dasharray": "2 3" }), drawn_text(from + 3, to.top - 8, "mean release", { fill: colour.quiet }));
+  const foot_of = (row) => to.at(0, ground_at(page.terrain, Math.min(Math.max(row.x, window[0]), window[1])))[1];
+  rows.forEach((row, i) => parts.push(drawn_line([[to.at(row.x, 0)[0], foot_of(row)], [to.at(row.x, 0)[0], foot_y + i * sheet.row]], { stroke: colour.quiet, "stroke-dasharray": "2 3" })));
   rows.forEach((row, i) => {
     const x = to.at(row.x, 0)[0], y = foot_y + i * sheet.row;
-    parts.push(drawn_line([[x, to.at(0, ground_at(page.terrain, Math.min(Math.max(row.x, window[0]), window[1])))[1]], [x, y]], { stroke: colour.quiet, "stroke-dasharray": "2 3" }), ...dimension_row(from, x, y, row.far ? `${row.text}, ${row.far} m from the mean release` : row.text));
+    parts.push(...dimension_row(from, x, y, row.far ? `${row.text}, ${row.far} m from the mean release` : row.text));
   });
   const end = foot_y + rows.length * sheet.row + 12;
   return { parts: [...parts, ...drawn_scale(to, end)], high: end + 12 };

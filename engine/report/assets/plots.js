@@ -33,11 +33,15 @@ function draw_runout(node, runout, group) {
   });
 }
 
-/** Distances that shares of the rocks exceed, from the curve. */
-function exceedance_table(runout, count) {
-  const rows = [];
+/** Distances that shares of the rocks exceed: the percentiles of the statistics where there are some, else from the curve. */
+function exceedance_table(runout, group, count) {
+  const rows = [], percentiles = { 0.5: "p50", 0.1: "p90", 0.05: "p95", 0.01: "p99" };
   for (const share of [0.5, 0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001]) {
     if (share * count < 1) break;
+    if (percentiles[share]) {
+      rows.push([right(percent(share)), statistic(group, "runout", percentiles[share])]);
+      continue;
+    }
     const i = runout.share.findIndex((s) => s <= share), value = runout.x[i] / 1000;
     rows.push([right(percent(share)), right(`${runout.known_to !== null && value >= runout.known_to / 1000 ? "≥ " : ""}${show(value)}`)]);
   }
@@ -57,7 +61,7 @@ function runout_section() {
       : `${percent(group.censored)} are censored (left the domain or ran out of time): their distance is a lower bound, and so is every number marked ≥.`) +
       (group.stop_reasons.caught > 0 ? ` ${percent(group.stop_reasons.caught / count)} were caught by barriers${data.points[shown.point].stems ? " or trees" : ""}: their distance holds only while these stand.` : "");
     draw_runout(node, runout, group);
-    table_place.replaceChildren(exceedance_table(runout, count));
+    table_place.replaceChildren(exceedance_table(runout, group, count));
   });
 }
 

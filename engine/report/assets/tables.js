@@ -49,7 +49,7 @@ function clearance_section() {
         const bound = (value) => right(value === null ? "–" : `${c.lower_bound ? "≥ " : ""}${show(value)}`);
         if (c.distance === null) return [c.clearance, c.group ?? "all groups", `${percent(c.probability)} of ${c.count} ${one}`, c.trials_needed ? `too few trials: it needs about ${c.trials_needed}` : c.count < c.needed ? `not given: it needs ${c.needed} ${one}` : "too few rocks for an area", "", "", "", "", "", ""];
         return [c.clearance, c.group ?? "all groups", `${percent(c.probability)} of ${c.count} ${one}`, of, bound(c.distance),
-          percent(c.confidence), c.lower, c.upper, c.factor === null ? "none" : right(show(c.factor)), bound(c.with_factor)];
+          c.area ? "none of an area" : percent(c.confidence), c.lower, c.upper, c.factor === null ? "none" : right(show(c.factor)), bound(c.with_factor)];
       })),
     ...point.clearance.filter((c) => c.customary || c.known_throw).map((c) => paragraph("", `Beside ${c.clearance}: ` +
       [c.customary ? `the legal or customary distance is ${show(c.customary)} m` : "", c.known_throw ? `1.5 times the farthest known throw of ${show(c.known_throw)} m is ${show(c.beyond_known_throw)} m` : ""].filter(Boolean).join("; ") + ".")),
@@ -107,11 +107,12 @@ function travel_section() {
 
 function reasons_section() {
   section_of_point(of_bodies ? "How the bodies ended" : "How the rocks ended", (point) => {
-    const groups = of_bodies ? point.rocks.slice(0, 1) : point.rocks;  // each body has a line of its own below
+    const groups = of_bodies ? point.rocks.slice(0, 1) : shown_groups(point);  // each body has a line of its own below
     const reasons = Object.keys(end_meanings).filter((reason) => point.rocks[0].stop_reasons[reason] > 0);
+    const share_of = (group, reason) => { const share = group.stop_reasons[reason] / group.count, interval = group.share_intervals[reason]; return of_bodies ? with_interval(share, interval) : share_text({ share, interval }); };
     const rows = groups.flatMap((group) => reasons.filter((reason) => group.stop_reasons[reason] > 0)
       .map((reason, i) => [i === 0 ? group_name(group) : "", end_name(reason), group.stop_reasons[reason],
-        right(with_interval(group.stop_reasons[reason] / group.count, group.share_intervals[reason])), end_meanings[reason]]));
+        right(share_of(group, reason)), end_meanings[reason]]));
     const range = ([low, high]) => right(low === high ? show(low) : `${show(low)} to ${show(high)}`);
     const places = point.censored.map((place) => [place.rocks, place.reason, place.material ?? "–", place.part ?? "–", range(place.x), range(place.y)]);
     return [table("", [of_bodies ? "bodies" : "rocks", "ended", "count", of_bodies ? "share" : "share (95 %)", "meaning"], rows),

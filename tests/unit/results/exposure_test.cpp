@@ -108,6 +108,18 @@ TEST_CASE("in the plane, rocks land anywhere on an arc") {
   CHECK(found.per_blast == Approx(0.5 * found.hits_per_m2).epsilon(1e-3));
 }
 
+TEST_CASE("a kernel of no given radius holds a hundred landings, about a place and along a line") {
+  const TrialRecords records = throws(7, 2000, 60);
+  const ExposurePlan place{.name = "person", .at = {90, 120}, .line = {}, .area = 0.5},
+      road{.name = "road", .at = {0, 0}, .line = {{150, -40}, {140, 0}, {150, 40}}, .area = 0.5};
+  for (const ExposurePlan& plan : {place, road}) {
+    INFO(plan.name);
+    const ExposureSummary found = exposed(plan, records, 2000);
+    REQUIRE(found.radius < 14);  // less than a tenth of the way
+    CHECK(found.landings == 100);
+  }
+}
+
 TEST_CASE("where no rock lands, three landings bound what may happen") {
   const ExposurePlan far{.name = "far", .at = {1000, 0}, .line = {}, .area = 0.5};
   const ExposureSummary found = exposed(far, throws(1, 500, 4), 500);
