@@ -22,7 +22,8 @@ struct ChunkFile {
 std::vector<ChunkFile> chunk_files(const std::vector<ChunkRange>& chunks,
                                    const std::filesystem::path& folder);
 
-/// The rows of each point in chunk files, in the order of the plan. A pass throws FileError if a file is not
+/// The rows of each point in chunk files, in the order of the plan. A pass reads the next chunk while one is
+/// shown, and throws FileError if a file is not
 /// what was written.
 std::vector<Rows> rows_in(std::vector<ChunkFile> files, int points, const std::string& scenario_hash);
 

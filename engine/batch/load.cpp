@@ -114,7 +114,7 @@ std::optional<LoadedScenario> load_scenario(const std::string& path, const Overr
   // answers.
   check_clearances(root, loaded.plan, loaded.plan.points.front().trials_of_run() >= loaded.own_trials,
                    diagnostics);
-  warn_of_short_throws(root, loaded.plan, diagnostics);
+  if (!before) warn_of_short_throws(root, loaded.plan, diagnostics);  // it flies rocks, once is enough
   loaded.files = before ? before->files : hashes_of(loaded.plan.files, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   loaded.warnings = diagnostics.warnings();

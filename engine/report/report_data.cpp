@@ -71,65 +71,6 @@ class MeanRelease {
   double first_ = 0, sum_ = 0, weight_ = 0;
 };
 
-/// Of all rocks, then of each group if there is more than one, as in PointResult::groups.
-class Runouts {
- public:
-  explicit Runouts(const std::vector<GroupSummary>& groups) {
-    for (const GroupSummary& group : groups)
-      groups_.push_back({RunoutData(group), Convergence(group.count - group.faults), MeanRelease()});
-  }
-
-  void add(const TrialRecords& chunk) {
-    for (const RockRecord& rock : chunk.rocks) {
-      if (is_fault(rock.reason)) continue;
-      const Bounded runout = bounded(rock, rock_statistics[rock_statistic("runout")]);
-      groups_.front().add(runout, rock);
-      if (groups_.size() > 1) groups_.at(1 + static_cast<std::size_t>(rock.group)).add(runout, rock);
-    }
-  }
-
-  bool needs_another_pass() {
-    bool more = false;
-    for (Group& group : groups_) more |= group.needs_another_pass();
-    return more;
-  }
-
-  Json distributions() const {
-    Json list = Json::array();
-    for (const Group& group : groups_) list.push_back(group.distribution.data());
-    return list;
-  }
-  Json convergence() const {
-    Json list = Json::array();
-    for (const Group& group : groups_) list.push_back(group.convergence.data());
-    return list;
-  }
-  Json releases() const {
-    Json list = Json::array();
-    for (const Group& group : groups_) list.push_back(number(group.release.x()));
-    return list;
-  }
-
- private:
-  struct Group {
-    RunoutData distribution;
-    Convergence convergence;
-    MeanRelease release;  // each pass adds the same rocks, which changes no mean
-
-    void add(const Bounded& runout, const RockRecord& rock) {
-      release.add(rock);
-      distribution.add(runout, rock.weight);
-      convergence.add(runout, rock.trial, rock.weight);
-    }
-    bool needs_another_pass() {
-      const bool of_distribution = distribution.needs_another_pass(),
-                 of_convergence = convergence.needs_another_pass();
-      return of_distribution || of_convergence;
-    }
-  };
-  std::vector<Group> groups_;
-};
-
 Json bodies_data(const Scenario& scenario, const TrialTotals& totals) {
   Json list = Json::array();
   for (std::size_t b = 0; b < totals.bodies.size() && b < scenario.bodies.size(); ++b) {
@@ -218,7 +159,74 @@ Json answer_units(const Plan& plan) {
 
 }  // namespace
 
+/// Of all rocks, then of each group if there is more than one, as in PointResult::groups.
+class ReportData::Runouts : public RowReader {
+ public:
+  explicit Runouts(const std::vector<RunoutExtent>& extents) {
+    for (const RunoutExtent& extent : extents)
+      groups_.push_back({RunoutData(extent), Convergence(extent.count), MeanRelease()});
+  }
+
+  void add(const TrialRecords& chunk) override {
+    for (const RockRecord& rock : chunk.rocks) {
+      if (is_fault(rock.reason)) continue;
+      const Bounded runout = bounded(rock, rock_statistics[rock_statistic("runout")]);
+      groups_.front().add(runout, rock);
+      if (groups_.size() > 1) groups_.at(1 + static_cast<std::size_t>(rock.group)).add(runout, rock);
+    }
+  }
+
+  bool needs_another_pass() override {
+    bool more = false;
+    for (Group& group : groups_) more |= group.needs_another_pass();
+    return more;
+  }
+
+  Json distributions() const {
+    Json list = Json::array();
+    for (const Group& group : groups_) list.push_back(group.distribution.data());
+    return list;
+  }
+  Json convergence() const {
+    Json list = Json::array();
+    for (const Group& group : groups_) list.push_back(group.convergence.data());
+    return list;
+  }
+  Json releases() const {
+    Json list = Json::array();
+    for (const Group& group : groups_) list.push_back(number(group.release.x()));
+    return list;
+  }
+
+ private:
+  struct Group {
+    RunoutData distribution;
+    Convergence convergence;
+    MeanRelease release;  // each pass adds the same rocks, which changes no mean
+
+    void add(const Bounded& runout, const RockRecord& rock) {
+      release.add(rock);
+      distribution.add(runout, rock.weight);
+      convergence.add(runout, rock.trial, rock.weight);
+    }
+    bool needs_another_pass() {
+      const bool of_distribution = distribution.needs_another_pass(),
+                 of_convergence = convergence.needs_another_pass();
+      return of_distribution || of_convergence;
+    }
+  };
+  std::vector<Group> groups_;
+};
+
 ReportData::ReportData(const LoadedScenario& scenario) : scenario_(scenario) { open_point(); }
+
+ReportData::~ReportData() = default;
+
+RowReader* ReportData::reader(std::size_t point, const std::vector<RunoutExtent>& runouts) {
+  runouts_.resize(std::max(runouts_.size(), point + 1));
+  runouts_[point] = std::make_unique<Runouts>(runouts);
+  return runouts_[point].get();
+}
 
 void ReportData::open_point() {
   const std::vector<Scenario>& points = scenario_.plan.points;
@@ -257,16 +265,14 @@ bool is_of_regular_blasts(const Scenario& scenario) {
 
 }  // namespace
 
-Json ReportData::finish(const Results& results, const GroundPictures& grounds,
-                        const std::vector<Rows>& rows) {
+Json ReportData::finish(const Results& results, const GroundPictures& grounds) {
   close();
   const Plan& plan = scenario_.plan;
   Json points = Json::array(), first_laws;
   std::size_t map_room = most_page_cells;
   for (std::size_t p = 0; p < closed_.size(); ++p) {
     const PointResult& point = results.points[p];
-    Runouts runouts(point.groups);
-    read_in_passes(rows[p], runouts);
+    const Runouts& runouts = *runouts_.at(p);
     Json laws = law_data(plan.points[p], subject_of(results.points.front()));
     if (p == 0)
       first_laws = laws;

@@ -76,7 +76,10 @@ Results ResultWriter::finish(const std::vector<Rows>& rows, const RunFacts& fact
     database_.index();
     report_.close();
   });
-  Results results = tally_.finish(rows, facts);
+  Results results =
+      tally_.finish(rows, facts, [&](std::size_t point, const std::vector<RunoutExtent>& runouts) {
+        return report_.reader(point, runouts);
+      });
   for (std::size_t p = 0; p < terrains.size(); ++p) results.points[p].terrain = std::move(terrains[p]);
   for (std::size_t p = 0; p < plan_.points.size(); ++p)
     if (const TerrainPicture& terrain = results.points[p].terrain; plan_.points[p].forest && terrain.ground)
@@ -84,7 +87,7 @@ Results ResultWriter::finish(const std::vector<Rows>& rows, const RunFacts& fact
   for (std::string& warning : cell_warnings(results.points)) results.warnings.push_back(std::move(warning));
   closed.get();
   const GroundPictures grounds = ground_pictures(results.points);
-  nlohmann::ordered_json drawn = report_.finish(results, grounds, rows);
+  nlohmann::ordered_json drawn = report_.finish(results, grounds);
   const std::string stored = drawn.dump();
   // Runs in parallel, because the database is the largest file and writing it takes a while.
   std::future<void> database = beside([&] { database_.finish(results, grounds, stored); });

@@ -46,20 +46,17 @@ Json heights_data(const std::vector<double>& bins, bool are_counts) {
 
 }  // namespace
 
-RunoutData::RunoutData(const GroupSummary& group)
-    : count_(group.count - group.faults),
-      is_weighted_(group.weights.differ()),
-      weight_(is_weighted_ ? group.weight : static_cast<double>(count_)),
-      step_(0),
+RunoutData::RunoutData(const RunoutExtent& extent)
+    : count_(extent.count),
+      is_weighted_(extent.is_weighted),
+      weight_(is_weighted_ ? extent.weight : static_cast<double>(count_)),
+      step_(round_step(count_ > 0 ? extent.greatest / bins_wanted : 0)),
       ranks_(is_weighted_ ? weighted_ranks(weight_) : curve_ranks(count_)) {
-  const double least = group.at(rock_statistic("runout"), Statistic::min).value,
-               greatest = group.at(rock_statistic("runout"), Statistic::max).value;
-  step_ = round_step(count_ > 0 ? greatest / bins_wanted : 0);
-  const std::size_t bins = count_ > 0 ? static_cast<std::size_t>(greatest / step_) + 1 : 1;
+  const std::size_t bins = count_ > 0 ? static_cast<std::size_t>(extent.greatest / step_) + 1 : 1;
   known_.assign(bins, 0);
   censored_.assign(bins, 0);
   if (count_ == 0) ranks_.clear();
-  if (count_ > 0) curve_ = Selection(ranks_, count_, weight_, least, greatest);
+  if (count_ > 0) curve_ = Selection(ranks_, count_, weight_, extent.least, extent.greatest);
 }
 
 void RunoutData::add(const Bounded& runout, double weight) {
@@ -73,6 +70,7 @@ void RunoutData::add(const Bounded& runout, double weight) {
 bool RunoutData::needs_another_pass() {
   binned_ = true;
   curve_.end_pass();
+  if (!curve_.open()) curve_.forget();
   return curve_.open();
 }
 

@@ -12,8 +12,7 @@ namespace flyrock {
 /// memory than a thousand. Computed from the rocks of one group, shown in passes.
 class RunoutData {
  public:
-  /// The runouts of the rocks without faults of a group.
-  explicit RunoutData(const GroupSummary& group);
+  explicit RunoutData(const RunoutExtent& extent);
 
   void add(const Bounded& runout, double weight);
   bool needs_another_pass();

@@ -4,80 +4,20 @@
 #include <cmath>
 
 #include "results/lost.h"
-#include "scenario/measure.h"
+#include "results/measure_tally.h"
 
 namespace flyrock {
 
 namespace {
 
-template <class Plans>
-std::vector<std::string> names_in(const Plans& plans) {
-  std::vector<std::string> names;
-  for (const auto& plan : plans) names.push_back(plan.name);
-  return names;
-}
-
-MeasureNames names_of_measures(const Scenario& scenario) {
-  MeasureNames names{.dimension = scenario.dimension,
-                     .bodies = {},
-                     .groups = names_in(scenario.rocks),
-                     .gates = names_in(scenario.gates),
-                     .barriers = names_in(scenario.barriers),
-                     .clearances = names_in(scenario.clearances),
-                     .with_factor = {},
-                     .exposures = names_in(scenario.exposures),
-                     .forest = scenario.forest.has_value()};
-  for (const ClearancePlan& clearance : scenario.clearances)
-    if (clearance.factor) names.with_factor.push_back(clearance.name);
-  return names;
-}
-
 /// The numbers of one run, from passes over its rows.
-class OneRun {
- public:
-  explicit OneRun(const Scenario& scenario)
-      : rocks_(group_names(scenario)),
-        crossings_(scenario),
-        clearances_(scenario.clearances),
-        exposures_(scenario),
-        has_forest_(scenario.forest.has_value()) {}
-
-  void add(const TrialRecords& chunk) {
-    rocks_.add(chunk);
-    crossings_.add(chunk);
-    clearances_.add(chunk);
-    exposures_.add(chunk);
-    if (first_pass_ && has_forest_) trees_.add(chunk);
-  }
-
-  bool needs_another_pass() {
-    first_pass_ = false;
-    bool more = rocks_.needs_another_pass();
-    more |= crossings_.needs_another_pass();
-    more |= clearances_.needs_another_pass();
-    more |= exposures_.needs_another_pass();
-    return more;
-  }
-
-  PointResult result(std::uint64_t trials) {
-    PointResult result;
-    result.trials = trials;
-    result.groups = rocks_.summaries();
-    result.crossings = crossings_.summaries();
-    result.clearances = clearances_.summaries();
-    result.exposures = exposures_.summaries(trials);
-    if (has_forest_) result.trees = trees_.summary();
-    return result;
-  }
-
- private:
-  RockTally rocks_;
-  CrossingTallies crossings_;
-  ClearanceTally clearances_;
-  ExposureTally exposures_;
-  TreeTally trees_;
-  bool has_forest_, first_pass_ = true;
-};
+PointResult result_of_run(const Scenario& scenario, const Rows& rows, std::uint64_t trials) {
+  MeasureTally tally(scenario);
+  read_in_passes(rows, tally);
+  PointResult result;
+  tally.put(result, trials);
+  return result;
+}
 
 /// All runs have the same kernels, so that their exposures differ by their landings alone.
 Scenario with_kernels(Scenario scenario, const std::vector<ExposureSummary>& exposures) {
@@ -112,21 +52,18 @@ const OuterNumber* OuterSummary::find(const std::string& measure) const {
   return found == numbers.end() ? nullptr : &*found;
 }
 
-OuterSummary make_outer(const Scenario& scenario, const Rows& rows,
+OuterSummary make_outer(const Scenario& scenario, const MeasureNames& names, const Rows& rows,
                         const std::vector<ExposureSummary>& exposures) {
   const std::uint64_t trials = scenario.trials_of_run();
   OuterSummary summary{.runs = scenario.outer, .trials = trials};
   const Scenario of_run = with_kernels(scenario, exposures);
-  const MeasureNames names = names_of_measures(scenario);
   const std::vector<std::string> measures = measures_of_rocks(names);
   std::vector<Measure> readers;
   for (const std::string& measure : measures) readers.emplace_back(measure, scenario);
 
   std::vector<std::vector<Bounded>> values(measures.size());
   for (std::uint64_t run = 0; run < summary.runs; ++run) {
-    OneRun one(of_run);
-    read_in_passes(rows.within({run * trials, (run + 1) * trials}), one);
-    const PointResult result = one.result(trials);
+    const PointResult result = result_of_run(of_run, rows.within({run * trials, (run + 1) * trials}), trials);
     if (has_lost(scenario, result)) {
       ++summary.lost;
       continue;

@@ -14,6 +14,7 @@
 #include "record/rows.h"
 #include "results/measures.h"
 #include "results/statistics.h"
+#include "scenario/measure.h"
 
 namespace flyrock {
 
@@ -35,8 +36,9 @@ struct OuterSummary {
   const OuterNumber* find(const std::string& measure) const;
 };
 
-/// Reads the rows of each run in passes. `exposures`: of all runs together, whose kernels each run takes.
-OuterSummary make_outer(const Scenario& scenario, const Rows& rows,
+/// Reads the rows of each run in passes. `names`: of what the scenario has measures of. `exposures`: of all
+/// runs together, whose kernels each run takes.
+OuterSummary make_outer(const Scenario& scenario, const MeasureNames& names, const Rows& rows,
                         const std::vector<ExposureSummary>& exposures);
 
 }  // namespace flyrock

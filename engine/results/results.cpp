@@ -9,7 +9,9 @@
 #include "batch/hard_contacts.h"
 #include "math/sphere.h"
 #include "results/alarms.h"
+#include "results/measure_tally.h"
 #include "results/outer.h"
+#include "scenario/normalise.h"
 
 namespace flyrock {
 
@@ -25,12 +27,10 @@ class PointTally {
   PointTally(const Scenario& scenario, int point)
       : scenario_(scenario),
         point_(point),
-        rocks_(group_names(scenario)),
-        crossings_(scenario),
-        clearances_(scenario.clearances),
+        measures_(scenario),
         risk_(scenario),
-        exposures_(scenario),
-        azimuths_(scenario.dimension == 3 && scenario.bodies.empty() ? 1 + scenario.rocks.size() : 0) {
+        azimuths_(scenario.dimension == 3 && scenario.bodies.empty() ? 1 + scenario.rocks.size() : 0),
+        seeks_azimuths_(!azimuths_.empty()) {
     if (scenario.observed) simulated_.emplace(scenario);
   }
 
@@ -38,7 +38,6 @@ class PointTally {
   void see_first(const TrialRecords& chunk, Results& results) {
     result_.totals.add(chunk.totals);
     if (scenario_.dimension == 3) result_.reach.add(chunk);
-    if (scenario_.forest) trees_.add(chunk);
     if (simulated_) simulated_->add(chunk);
     keep_series(chunk);
     for (const RockRecord& rock : chunk.rocks) {
@@ -65,38 +64,27 @@ class PointTally {
   }
 
   void add(const TrialRecords& chunk) {
-    rocks_.add(chunk);
-    crossings_.add(chunk);
-    clearances_.add(chunk);
+    measures_.add(chunk);
     risk_.add(chunk);
-    exposures_.add(chunk);
-    if (azimuths_.empty()) return;
+    if (!seeks_azimuths_) return;
     for (const RockRecord& rock : chunk.rocks) {
       if (is_fault(rock.reason)) continue;
       diameters_.add({2 * sphere_radius(rock.volume), false}, rock.trial, rock.weight);
-      azimuths_.front().add(rock);
-      azimuths_.at(1 + static_cast<std::size_t>(rock.group)).add(rock);
+      const std::optional<std::size_t> sector = azimuth_sector_of(rock);
+      azimuths_.front().add(rock, sector);
+      azimuths_.at(1 + static_cast<std::size_t>(rock.group)).add(rock, sector);
     }
   }
 
-  bool needs_another_pass() {
-    bool more = rocks_.needs_another_pass();
-    more |= crossings_.needs_another_pass();
-    const bool seeks_distances = clearances_.needs_another_pass();
-    more |= seeks_distances;
-    more |= risk_.needs_another_pass(seeks_distances ? std::nullopt : std::optional(clearance_distances()));
-    more |= exposures_.needs_another_pass();
-    for (AzimuthTally& azimuths : azimuths_) more |= azimuths.needs_another_pass();
-    if (!azimuths_.empty()) more |= diameters_.needs_another_pass();
-    return more;
-  }
+  std::vector<RunoutExtent> runout_extents() const { return measures_.runout_extents(); }
 
-  /// Those without sectors, which count from the release of each rock.
-  std::vector<double> clearance_distances() const {
-    std::vector<double> distances;
-    for (const ClearanceSummary& clearance : clearances_.summaries())
-      distances.push_back(clearance.area.sectors.empty() ? clearance.distance.value : unknown);
-    return distances;
+  bool needs_another_pass() {
+    bool more = measures_.needs_another_pass();
+    more |= risk_.needs_another_pass(measures_.clearance_distances());
+    if (!seeks_azimuths_) return more;
+    seeks_azimuths_ = diameters_.needs_another_pass();
+    for (AzimuthTally& azimuths : azimuths_) seeks_azimuths_ |= azimuths.needs_another_pass();
+    return more || seeks_azimuths_;
   }
 
   /// The first pass has ended. Rasters take less memory than the histograms that they are made of.
@@ -110,13 +98,8 @@ class PointTally {
   PointResult result(std::uint64_t trials) {
     end_first();
     if (scenario_.method == Method::ballistic) result_.maps.find_hit_density(trials);
-    result_.trials = trials;
-    result_.groups = rocks_.summaries();
-    result_.crossings = crossings_.summaries();
-    if (scenario_.forest) result_.trees = trees_.summary();
-    result_.clearances = clearances_.summaries();
+    measures_.put(result_, trials);
     result_.risk = risk_.summary();
-    result_.exposures = exposures_.summaries(trials);
     result_.censored = censored_.places();
     if (simulated_) result_.observation = compare(*scenario_.observed, simulated_->result(), scenario_.seed);
     if (diameters_.size() > 0)
@@ -132,14 +115,11 @@ class PointTally {
   int point_;
   PointResult result_;
   bool series_is_known_ = false;
-  RockTally rocks_;
-  CrossingTallies crossings_;
-  TreeTally trees_;
-  ClearanceTally clearances_;
+  MeasureTally measures_;
   RiskTally risk_;
-  ExposureTally exposures_;
   Sample diameters_{Questions{{0.05, 0.5}, {}}};
   std::vector<AzimuthTally> azimuths_;  ///< of all rocks, then of each group
+  bool seeks_azimuths_;                 ///< they, or diameters_, need another pass
   std::optional<SimulatedTally> simulated_;
   CensoredTally censored_;
 };
@@ -212,6 +192,35 @@ int Results::count(Judgement judgement) const {
   }));
 }
 
+namespace {
+
+/// The tally of a point after its first pass, and another reader, which has seen nothing yet.
+class Together {
+ public:
+  Together(std::size_t point, PointTally& tally, const ReaderOfPoint& reader)
+      : tally_(tally),
+        tally_is_open_(tally.needs_another_pass()),
+        other_(reader ? reader(point, tally.runout_extents()) : nullptr) {}
+
+  bool is_open() const { return tally_is_open_ || other_; }
+  void add(const TrialRecords& chunk) {
+    if (tally_is_open_) tally_.add(chunk);
+    if (other_) other_->add(chunk);
+  }
+  bool needs_another_pass() {
+    tally_is_open_ = tally_is_open_ && tally_.needs_another_pass();
+    if (other_ && !other_->needs_another_pass()) other_ = nullptr;
+    return is_open();
+  }
+
+ private:
+  PointTally& tally_;
+  bool tally_is_open_;
+  RowReader* other_;
+};
+
+}  // namespace
+
 ResultTally::ResultTally(const Plan& plan) : plan_(plan) {
   for (const Scenario& point : plan.points) tallies_.emplace_back(point, static_cast<int>(tallies_.size()));
 }
@@ -224,14 +233,18 @@ void ResultTally::add(int point, const TrialRecords& chunk) {
   tallies_.at(at).see_first(chunk, results_);
 }
 
-Results ResultTally::finish(const std::vector<Rows>& rows, const RunFacts& facts) {
+Results ResultTally::finish(const std::vector<Rows>& rows, const RunFacts& facts,
+                            const ReaderOfPoint& reader) {
   for (std::size_t p = 0; p < tallies_.size(); ++p) {
-    if (tallies_[p].needs_another_pass()) read_in_passes(rows.at(p), tallies_[p]);
+    Together together(p, tallies_[p], reader);
+    if (together.is_open()) read_in_passes(rows.at(p), together);
     results_.points.push_back(tallies_[p].result(facts.trials.at(p)));
     PointResult& point = results_.points.back();
     const Scenario& scenario = plan_.points[p];
     if (scenario.outer > 1 && point.trials == scenario.trials)
-      point.outer = std::make_shared<const OuterSummary>(make_outer(scenario, rows.at(p), point.exposures));
+      point.outer = std::make_shared<const OuterSummary>(
+          make_outer(scenario, measure_names(Node::root(plan_.resolved), scenario.dimension), rows.at(p),
+                     point.exposures));
   }
   results_.verdicts = judge(plan_, results_.points, facts.full && facts.ended_early.empty());
   results_.differences = make_differences(plan_, results_.points, rows);
@@ -244,11 +257,12 @@ Results ResultTally::finish(const std::vector<Rows>& rows, const RunFacts& facts
   return std::move(results_);
 }
 
-Results make_results(const Plan& plan, const std::vector<Rows>& rows, const RunFacts& facts) {
+Results make_results(const Plan& plan, const std::vector<Rows>& rows, const RunFacts& facts,
+                     const ReaderOfPoint& reader) {
   ResultTally tally(plan);
   for (std::size_t p = 0; p < rows.size(); ++p)
     rows[p](Part::whole, [&](const TrialRecords& chunk) { tally.add(static_cast<int>(p), chunk); });
-  return tally.finish(rows, facts);
+  return tally.finish(rows, facts, reader);
 }
 
 std::vector<std::string> laws_never_asked(const Plan& plan, const std::vector<PointResult>& points) {

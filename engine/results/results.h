@@ -1,6 +1,7 @@
 #pragma once
 // All results of a run. The tables, the report and the terminal show them.
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,6 +51,18 @@ struct RunFacts {
 
 class PointTally;
 
+/// Reads the rows of a point, together with the tally of its results: a pass costs much more to read than to
+/// look at once more.
+class RowReader {
+ public:
+  virtual ~RowReader() = default;
+  virtual void add(const TrialRecords& chunk) = 0;
+  virtual bool needs_another_pass() = 0;
+};
+
+/// The reader for a point, or none. `runouts`: of all rocks, then of each group if there is more than one.
+using ReaderOfPoint = std::function<RowReader*(std::size_t point, const std::vector<RunoutExtent>& runouts)>;
+
 /// Computes the results of a run: in a first pass, which may take place during the run, and in further passes
 /// over the rows.
 class ResultTally {
@@ -59,8 +72,9 @@ class ResultTally {
 
   /// Takes the chunks of all points in order, with all their rows.
   void add(int point, const TrialRecords& chunk);
-  /// Reads the same chunks again. Throws FileError if a chunk cannot be read.
-  Results finish(const std::vector<Rows>& rows, const RunFacts& facts);
+  /// Reads the same chunks again, and shows them to another reader of each point. Throws FileError if a chunk
+  /// cannot be read.
+  Results finish(const std::vector<Rows>& rows, const RunFacts& facts, const ReaderOfPoint& reader = {});
 
  private:
   const Plan& plan_;
@@ -69,7 +83,8 @@ class ResultTally {
 };
 
 /// All passes in one call, over the rows of each point.
-Results make_results(const Plan& plan, const std::vector<Rows>& rows, const RunFacts& facts);
+Results make_results(const Plan& plan, const std::vector<Rows>& rows, const RunFacts& facts,
+                     const ReaderOfPoint& reader = {});
 
 /// The laws that no contact of any point needed: "material haul_floor: its restitution pfeiffer_bowen was
 /// never asked".

@@ -14,21 +14,25 @@ AzimuthTally::AzimuthTally() {
   sectors_.assign(azimuth_sectors, {Sample(questions), {}});
 }
 
-void AzimuthTally::add(const RockRecord& rock) {
+std::optional<std::size_t> azimuth_sector_of(const RockRecord& rock) {
   const Vec2 way(rock.stop_x - rock.start_x, rock.stop_y - rock.start_y);
-  if (way == Vec2::Zero()) {
+  if (way == Vec2::Zero()) return std::nullopt;
+  return sector_of(way, azimuth_sectors);
+}
+
+void AzimuthTally::add(const RockRecord& rock, const std::optional<std::size_t>& sector) {
+  if (!sector) {
     still_ += !counted_;
     return;
   }
-  const std::size_t at = sector_of(way, azimuth_sectors);
   if (!counted_) {
     shares_.add(rock.trial, rock.weight);
-    shares_.count(at);
+    shares_.count(*sector);
   }
-  Sector& sector = sectors_[at];
+  Sector& of = sectors_[*sector];
   const Bounded runout = bounded(rock, rock_statistics[rock_statistic("runout")]);
-  sector.greatest = farther(sector.greatest, runout);
-  sector.sample.add(runout, rock.trial, rock.weight);
+  of.greatest = farther(of.greatest, runout);
+  of.sample.add(runout, rock.trial, rock.weight);
 }
 
 bool AzimuthTally::needs_another_pass() {

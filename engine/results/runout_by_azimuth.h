@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "record/records.h"
@@ -36,11 +37,15 @@ struct RunoutByAzimuth {
   std::uint64_t still = 0;  ///< rocks that ended where they began: they have no azimuth
 };
 
+/// The sector that the runout of a rock points into; none if the rock ended where it began.
+std::optional<std::size_t> azimuth_sector_of(const RockRecord& rock);
+
 /// Computes it from rocks without faults, shown in passes; see read_in_passes().
 class AzimuthTally {
  public:
   AzimuthTally();
-  void add(const RockRecord& rock);
+  /// `sector`: azimuth_sector_of() the rock, which costs more than the rest and serves several tallies.
+  void add(const RockRecord& rock, const std::optional<std::size_t>& sector);
   bool needs_another_pass();
   RunoutByAzimuth summary() const;
 

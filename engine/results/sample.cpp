@@ -144,13 +144,14 @@ bool Sample::needs_another_pass() {
       quantiles_.end_pass();
       if (quantiles_.open()) break;
       stage_ = is_by_trial() && !asked_.empty() ? Stage::shares : Stage::done;
+      if (stage_ == Stage::done) quantiles_.forget();
       for (std::size_t i = 0; i < asked_.size(); ++i)
         asked_[i].quantile = quantile(questions_.intervals[i].p).value;
       for (std::size_t i = 0; i < asked_.size(); ++i) asked_[i].upper_tail = questions_.intervals[i].p >= 0.5;
       break;
     case Stage::shares:
       find_clustered_ends();
-      ends_ = Selection(end_ranks(), count_, total(), least_, greatest_);
+      ends_ = quantiles_.search_again(end_ranks());
       stage_ = ends_.open() ? Stage::ends : Stage::done;
       break;
     case Stage::ends:

@@ -8,8 +8,9 @@ namespace flyrock {
 
 namespace {
 
-constexpr std::uint64_t most_kept = 1024;
-constexpr int part_bits = 10;
+constexpr std::uint64_t most_kept = 4096;
+constexpr int least_part_bits = 10, most_part_bits = 16;
+constexpr std::uint64_t values_for_part = 512;  // of the first pass, on the mean over all parts
 constexpr std::uint64_t sign = std::uint64_t{1} << 63;
 
 /// Maps doubles to whole numbers in the same order. -0 and +0 have the same key.
@@ -24,21 +25,45 @@ double value_of(std::uint64_t key) { return std::bit_cast<double>(key & sign ? k
 
 Selection::Selection(std::vector<double> ranks, std::uint64_t count, double weight, double least,
                      double greatest)
-    : ranks_(std::move(ranks)) {
+    : low_(key_of(least)), high_(key_of(greatest)), count_(count), weight_(weight) {
+  look_for(std::move(ranks));
+  look_within(low_, high_, 0, count_, {0, ranks_.size()});
+  find_lows();
+}
+
+void Selection::look_for(std::vector<double> ranks) {
+  ranks_ = std::move(ranks);
   std::sort(ranks_.begin(), ranks_.end());
   ranks_.erase(std::unique(ranks_.begin(), ranks_.end()), ranks_.end());
-  values_.resize(ranks_.size());
-  if (!ranks_.empty() && ranks_.back() >= weight) throw std::out_of_range("a rank beyond the last number");
-  look_within(key_of(least), key_of(greatest), 0, count, {0, ranks_.size()});
+  values_.assign(ranks_.size(), 0);
+  if (!ranks_.empty() && ranks_.back() >= weight_) throw std::out_of_range("a rank beyond the last number");
+}
+
+Selection Selection::search_again(std::vector<double> ranks) {
+  if (first_.parts.empty()) return {std::move(ranks), count_, weight_, value_of(low_), value_of(high_)};
+  Selection again;
+  again.low_ = low_;
+  again.high_ = high_;
+  again.count_ = count_;
+  again.weight_ = weight_;
+  again.look_for(std::move(ranks));
+  first_.wanted = {0, again.ranks_.size()};
+  again.narrow(first_);
+  again.find_lows();
+  forget();
+  return again;
+}
+
+void Selection::find_lows() {
+  lows_.clear();
+  for (const Stretch& stretch : open_) lows_.push_back(stretch.low);
 }
 
 void Selection::add(double value, double weight) {
   const std::uint64_t key = key_of(value);
-  const auto above =
-      std::upper_bound(open_.begin(), open_.end(), key,
-                       [](std::uint64_t k, const Stretch& stretch) { return k < stretch.low; });
-  if (above == open_.begin()) return;
-  Stretch& stretch = *std::prev(above);
+  const auto above = std::upper_bound(lows_.begin(), lows_.end(), key);
+  if (above == lows_.begin()) return;
+  Stretch& stretch = open_[static_cast<std::size_t>(above - lows_.begin()) - 1];
   if (key > stretch.high) return;
   if (stretch.parts.empty()) {
     stretch.kept.push_back({value + 0.0, weight});
@@ -53,11 +78,14 @@ void Selection::end_pass() {
   std::vector<Stretch> seen;
   seen.swap(open_);
   for (Stretch& stretch : seen) {
-    if (stretch.parts.empty())
+    if (stretch.parts.empty()) {
       settle(stretch);
-    else
-      narrow(stretch);
+      continue;
+    }
+    narrow(stretch);
+    if (stretch.low == low_ && stretch.high == high_) first_ = std::move(stretch);
   }
+  find_lows();
 }
 
 double Selection::at(double rank) const {
@@ -75,6 +103,8 @@ void Selection::look_within(std::uint64_t low, std::uint64_t high, double before
               values_.begin() + static_cast<std::ptrdiff_t>(wanted.end), value_of(low));
     return;
   }
+  const int part_bits =
+      std::clamp(static_cast<int>(std::bit_width(count / values_for_part)), least_part_bits, most_part_bits);
   Stretch stretch{
       low, high, before, wanted, std::max(0, static_cast<int>(std::bit_width(high - low)) - part_bits),
       {},  {}};

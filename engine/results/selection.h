@@ -3,11 +3,13 @@
 // memory.
 //
 // Doubles are mapped to whole numbers in the same order, by their IEEE 754 bits. Each stretch of whole
-// numbers that contains wanted ranks is cut into 1024 equal parts, and a pass counts the values in each part.
-// The parts that contain wanted ranks are the stretches of the next pass. A stretch of at most 1024 values is
-// kept and sorted instead. Each pass narrows a stretch by a factor of 1024, so at most seven passes are
-// needed. A million values of similar size take two passes, a column of at most 1024 values takes one.
-// Source: Munro and Paterson 1980, Selection and sorting with limited storage.
+// numbers that contains wanted ranks is cut into equal parts, and a pass counts the values in each part. The
+// parts that contain wanted ranks are the stretches of the next pass. A stretch of at most 4096 values is
+// kept and sorted instead. There are 1024 parts, of more than 500,000 values up to 65,536, so that few values
+// of a similar size share a part. Each pass narrows a stretch by a factor of 1024 or more, so at most seven
+// passes are needed. Ten million values of similar size take two passes, a column of at most 4096 values
+// takes one. Further ranks of the same column begin with the parts that the first pass has counted. Source:
+// Munro and Paterson 1980, Selection and sorting with limited storage.
 //
 // A number may count with a weight. The order statistic of rank r is then the least number x for which the
 // numbers up to x weigh more than r; with weights of 1 that is the r-th one, counted from 0.
@@ -31,6 +33,11 @@ class Selection {
   void add(double value, double weight = 1);
   /// Ends a pass.
   void end_pass();
+  /// A search for other ranks of the same column, once this one has ended. It takes over what the first pass
+  /// has counted, so it can be asked for once.
+  Selection search_again(std::vector<double> ranks);
+  /// Frees what the first pass has counted.
+  void forget() { first_ = {}; }
 
   /// x_rank, after the last pass. Throws std::out_of_range if the rank was not in `ranks`.
   double at(double rank) const;
@@ -58,14 +65,22 @@ class Selection {
     std::vector<Kept> kept;
   };
 
+  void look_for(std::vector<double> ranks);
+  void find_lows();
   void look_within(std::uint64_t low, std::uint64_t high, double before, std::uint64_t count, Wanted wanted);
   Wanted take(Wanted& left, double end) const;
   void settle(Stretch& stretch);
   void narrow(const Stretch& stretch);
 
-  std::vector<double> ranks_;   ///< sorted, each once
-  std::vector<double> values_;  ///< for each rank
-  std::vector<Stretch> open_;   ///< sorted
+  /// Of the column.
+  std::uint64_t low_ = 0, high_ = 0, count_ = 0;
+  double weight_ = 0;
+
+  std::vector<double> ranks_;        ///< sorted, each once
+  std::vector<double> values_;       ///< for each rank
+  std::vector<Stretch> open_;        ///< sorted
+  std::vector<std::uint64_t> lows_;  ///< Stretch::low of each, close together for the search of each number
+  Stretch first_ = {};               ///< of the first pass; without parts: not counted, or forgotten
 };
 
 }  // namespace flyrock

@@ -93,6 +93,15 @@ bool GroupTally::needs_another_pass() {
   return more;
 }
 
+RunoutExtent GroupTally::runout_extent() const {
+  const Sample& runout = samples_[rock_statistic("runout")];
+  return {.count = censored_.rocks(),
+          .is_weighted = weights_.differ(),
+          .weight = weight_,
+          .least = runout.least(),
+          .greatest = runout.greatest()};
+}
+
 GroupSummary GroupTally::summary() const {
   GroupSummary summary;
   summary.name = name_;
@@ -132,6 +141,12 @@ bool RockTally::needs_another_pass() {
   bool more = false;
   for (GroupTally& tally : tallies_) more |= tally.needs_another_pass();
   return more;
+}
+
+std::vector<RunoutExtent> RockTally::runout_extents() const {
+  std::vector<RunoutExtent> extents;
+  for (const GroupTally& tally : tallies_) extents.push_back(tally.runout_extent());
+  return extents;
 }
 
 std::vector<GroupSummary> RockTally::summaries() const {

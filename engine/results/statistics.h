@@ -58,12 +58,22 @@ struct GroupSummary {
   }
 };
 
+/// What the first pass tells of the runouts of a group: of its rocks without faults.
+struct RunoutExtent {
+  std::uint64_t count = 0;
+  bool is_weighted = false;  ///< their weights differ
+  double weight = 0;         ///< of all
+  double least = 0, greatest = 0;
+};
+
 /// Summarises the rocks of one group from passes.
 class GroupTally {
  public:
   explicit GroupTally(const std::string& name);
   void add(const RockRecord& rock);
   bool needs_another_pass();
+  /// After the first pass.
+  RunoutExtent runout_extent() const;
   GroupSummary summary() const;
 
  private:
@@ -83,6 +93,8 @@ class RockTally {
   explicit RockTally(const std::vector<std::string>& groups);
   void add(const TrialRecords& chunk);
   bool needs_another_pass();
+  /// In the order of summaries(), after the first pass.
+  std::vector<RunoutExtent> runout_extents() const;
   std::vector<GroupSummary> summaries() const;
 
  private:

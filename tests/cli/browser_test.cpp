@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <iomanip>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 #include <tuple>
@@ -138,6 +140,51 @@ TEST_CASE("A browser draws every plot of a report and complains of nothing", "[s
                                   "0.5, 0.6, 0.7] } }\"")
               .code == 0);
   check_drawn(folder, "sweep", 7);
+}
+
+TEST_CASE("A page prints the sweep point that its reader chose", "[slow]") {
+  if (!can_draw()) {
+    WARN("SKIPPED: no Chromium or no Plotly");
+    return;
+  }
+  const Folder folder;
+  std::string scenario = bench_with("mu: 0.6", "mu: { sweep: [0.3, 0.6, 0.9] }");
+  scenario.replace(scenario.find("trials: 4"), 9, "trials: 60");
+  folder.write("s.yaml", scenario);
+  REQUIRE(call(folder, "run s.yaml --quiet -o r").code == 0);
+  std::string page = read(folder.path() / "r/report.html");
+  // As a reader does: chooses the last point, then prints.
+  page.insert(page.rfind("</body>"), R"(<script>
+{
+  const select = document.querySelector("select[aria-label='Sweep point']");
+  select.value = "2";
+  select.dispatchEvent(new Event("change"));
+  window.dispatchEvent(new Event("beforeprint"));
+}
+</script>
+)");
+  const Opened printed = open_page(folder, folder.path() / folder.write("printed.html", page));
+  CHECK(printed.console == "");
+  const auto summary = nlohmann::json::parse(read(folder.path() / "r/summary.json"));
+  const auto p95 = [&](int point) {
+    const double value = summary.at("points").at(point).at("rocks").at(0).at("runout").at("p95");
+    std::ostringstream text;  // as the page shows it
+    text << std::setprecision(4) << value;
+    return text.str();
+  };
+  REQUIRE(p95(0) != p95(2));
+  const std::string seen = without_sources(printed.page);
+  const std::size_t drawing = seen.find("<h2>Section to scale</h2>"), inputs = seen.find("<h2>Inputs</h2>");
+  REQUIRE(drawing < inputs);
+  const std::string first = seen.substr(drawing, inputs - drawing);
+  INFO(first);
+  CHECK(first.find("Shown: all rocks, point 2: materials.rock.friction.mu = 0.9.") != std::string::npos);
+  CHECK(first.find("95 % of all rocks stop within " + p95(2) + " m") != std::string::npos);
+  CHECK(first.find("within " + p95(0) + " m") == std::string::npos);
+  // On paper the line above the sections says what is shown, in place of the menu.
+  CHECK(seen.find("<p class=\"shown\">Shown: all rocks, point 2: materials.rock.friction.mu = 0.9.</p>") !=
+        std::string::npos);
+  CHECK(count(seen, "Shown: all rocks, point 0") == 0);
 }
 
 TEST_CASE("A page that has no room for all sweep points says how many it shows", "[slow]") {

@@ -32,15 +32,16 @@ nlohmann::json summary_of(const Folder& folder, const std::string& result) {
 TEST_CASE("runs of `outer` have the same bytes over threads and shards, and a sentence in the answer") {
   const Folder folder;
   folder.write("s.yaml", scenario);
-  REQUIRE(call(folder, "run s.yaml -o one -j 1 --quiet").code == 0);
-  REQUIRE(call(folder, "run s.yaml -o two -j 2 --quiet").code == 0);
+  call_well(folder, "run s.yaml -o one -j 1 --quiet");
+  call_well(folder, "run s.yaml -o two -j 2 --quiet");
   for (const char* shard : {"1/2", "2/2"})
-    REQUIRE(call(folder, std::string("run s.yaml --quiet -o shard") + shard[0] + " --shard " + shard).code ==
-            0);
-  REQUIRE(call(folder, "merge shard1 shard2 -o merged --quiet").code == 0);
+    call_well(folder, std::string("run s.yaml --quiet -o shard") + shard[0] + " --shard " + shard);
+  call_well(folder, "merge shard1 shard2 -o merged --quiet");
   for (const char* other : {"two", "merged"})
-    for (const char* file : {"summary.json", "rocks.csv"})
+    for (const char* file : {"summary.json", "rocks.csv"}) {
+      INFO(other << "/" << file);
       CHECK(read(folder.path() / "one" / file) == read(folder.path() / other / file));
+    }
 
   const nlohmann::json summary = summary_of(folder, "one"), outer = summary.at("points").at(0).at("outer");
   CHECK(summary.at("trials") == 150);
@@ -57,9 +58,8 @@ TEST_CASE("runs of `outer` have the same bytes over threads and shards, and a se
 TEST_CASE("the map of hits gives the landings of a blast, and other methods have none") {
   const Folder folder;
   folder.write("s.yaml", scenario);
-  REQUIRE(call(folder, "run s.yaml -o r --quiet").code == 0);
-  const Output done = call(folder, "export r --to asc");
-  REQUIRE(done.code == 0);
+  call_well(folder, "run s.yaml -o r --quiet");
+  const Output done = call_well(folder, "export r --to asc");
   CHECK(done.out.find("Hit_density-p0.asc") != std::string::npos);
   std::istringstream text(read(folder.path() / "r/asc/Hit_density-p0.asc"));
   std::string word;
@@ -81,9 +81,7 @@ TEST_CASE("the map of hits gives the landings of a blast, and other methods have
                  "materials: { rock: { restitution: { type: newton, en: 0.3 }, friction: { type: coulomb, "
                  "mu: 0.6 } } }");
   folder.write("b.yaml", bounce);
-  const Output ran = call(folder, "run b.yaml -o b --quiet");
-  INFO(ran.err);
-  REQUIRE(ran.code == 0);
+  call_well(folder, "run b.yaml -o b --quiet");
   const Output exported = call(folder, "export b --to asc");
   CHECK(exported.out.find("Nr_deposited-p0.asc") != std::string::npos);
   CHECK(exported.out.find("Hit_density") == std::string::npos);
@@ -92,7 +90,7 @@ TEST_CASE("the map of hits gives the landings of a blast, and other methods have
 TEST_CASE("the report lists all inputs with their units and where they are from") {
   const Folder folder;
   folder.write("s.yaml", scenario);
-  REQUIRE(call(folder, "run s.yaml -o r --quiet").code == 0);
+  call_well(folder, "run s.yaml -o r --quiet");
   const std::string page = read(folder.path() / "r/report.html");
   for (const char* input : {R"({"path":"terrain.height","value":"12 m","from":"line 6"})",
                             R"({"path":"rocks.thrown.density","value":"2700 kg/m3","from":"line 10"})",

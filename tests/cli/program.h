@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <thread>
 
@@ -23,12 +24,14 @@ inline std::string read(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// A separate working folder, removed at the end.
+/// A separate working folder, removed at the end. No other process gets its name, not even one of the same
+/// number in a container that shares the folder of temporary files.
 class Folder {
  public:
-  Folder() : path_(fs::temp_directory_path() / ("flyrock_cli_" + std::to_string(::getpid()))) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "flyrock_cli_XXXXXX").string();
+    if (!::mkdtemp(name.data())) throw std::runtime_error("cannot make " + name);
+    path_ = name;
   }
   ~Folder() { fs::remove_all(path_); }
   Folder(const Folder&) = delete;
@@ -57,6 +60,7 @@ inline Output shell(const Folder& folder, const std::string& line) {
   const std::string whole = "cd '" + folder.path().string() + "' && { " + line + "; } >'" + out.string() +
                             "' 2>'" + err.string() + "'";
   const int status = std::system(whole.c_str());
+  if (status == -1) throw std::runtime_error("no shell could be started: " + whole);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
 }
 
@@ -65,6 +69,15 @@ inline bool one_line(const std::string& text) { return !text.empty() && text.fin
 /// Runs `flyrock ARGUMENTS` in a folder. The arguments are shell words.
 inline Output call(const Folder& folder, const std::string& arguments) {
   return shell(folder, "'" FLYROCK_BINARY "' " + arguments);
+}
+
+/// Runs it and expects exit code 0; else throws with what it said.
+inline Output call_well(const Folder& folder, const std::string& arguments) {
+  Output done = call(folder, arguments);
+  if (done.code != 0)
+    throw std::runtime_error("flyrock " + arguments + ": exit code " + std::to_string(done.code) + ": " +
+                             done.err);
+  return done;
 }
 
 /// Runs `flyrock run SCENARIO` with more trials than it can finish, and interrupts it, like Ctrl-C unless

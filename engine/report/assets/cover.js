@@ -15,7 +15,7 @@ function answer_in_lines() {
 }
 
 // ---- the drawing -----------------------------------------------------------------------------------------------
-const sheet = { wide: 690, margin: 46, tallest: 420, row: 20 };  // of the SVG, in units of a hundredth of an inch or so
+const sheet = { wide: 690, margin: 46, tallest: 280, row: 20 };  // of the SVG, so that answer and drawing have room on one page, in units of a hundredth of an inch or so
 const drawn_text = (x, y, text, attributes = {}) => svg_element("text", { x, y, "font-size": 11, fill: colour.ink, ...attributes }, text);
 const drawn_line = (points, attributes) => svg_element("polyline", { points: points.map((p) => p.map((v) => v.toFixed(1)).join(",")).join(" "), fill: "none", ...attributes });
 
@@ -53,6 +53,11 @@ function exposed_places(point) {
 
 /** The greatest distance of each clearance that is given, from the releases. */
 const drawn_clearances = (point) => point.clearance.filter((c) => c.distance !== null && !c.area).map((c) => ({ name: c.clearance, distance: c.with_factor ?? c.distance, bound: c.lower_bound, factor: c.factor }));
+/** What the user gave beside them: the legal or customary distance, and 1.5 times the farthest known throw. */
+const distances_beside = (point) => point.clearance.flatMap((c) => [
+  ...(c.customary ? [{ distance: c.customary, text: `legal or customary distance: ${show(c.customary)} m` }] : []),
+  ...(c.known_throw ? [{ distance: c.beyond_known_throw, text: `1.5 times the farthest known throw: ${show(c.beyond_known_throw)} m` }] : [])])
+  .filter((one, i, all) => all.findIndex((other) => other.text === one.text) === i);
 const clearance_words = (c) => `clearance ${c.name}: ${c.bound ? "≥ " : ""}${show(c.distance)} m${c.factor ? `, with the factor ${show(c.factor)}` : ""}`;
 
 /** The section of a run in 2D: the ground, what stands on it as high as it is, and distances from the mean release. */
@@ -67,6 +72,7 @@ function draw_cover_section(page, point) {
     ...exposed_places(point).map((e) => ({ x: e.at, far: from_release(e.at), text: `${e.name}: x = ${show(e.at)} m` })),
     ...(p95 === null ? [] : [{ x: release + p95, text: `95 % of ${group_name(shown_group())} ${ends_at_landing ? "first land" : "stop"} within ${show(p95)} m` }]),
     ...drawn_clearances(point).map((c) => ({ x: release + c.distance, text: clearance_words(c) })),
+    ...distances_beside(point).map((c) => ({ x: release + c.distance, text: c.text })),
   ];
   const low_x = least([release, ...starts]), high_x = most([release, ...rows.map((r) => r.x)]), margin = 0.06 * Math.max(high_x - low_x, 1);
   const window = [Math.max(low_x - margin, x_of[0]), Math.min(high_x + margin, x_of.at(-1))];
@@ -101,10 +107,10 @@ function draw_cover_section(page, point) {
 function draw_cover_plan(page, point) {
   const s = page.section;
   if (!s) return null;
-  const centre = [s.x, s.y], circles = drawn_clearances(point), exposed = exposed_places(point);
+  const centre = [s.x, s.y], circles = drawn_clearances(point), beside = distances_beside(point), exposed = exposed_places(point);
   const lines = [...places_of(point).filter((p) => p.line).map((p) => ({ name: p.name, line: p.line, colour: p.style.color })), ...exposed.filter((e) => e.line).map((e) => ({ name: e.name, line: e.line, colour: colour.blue }))];
   const spots = exposed.filter((e) => e.at), areas = point.clearance.filter((c) => c.area && c.distance !== null);
-  const p99 = shown_group().runout.p99, far = Math.max(...circles.map((c) => c.distance), ...areas.map((c) => c.distance), p99 ?? 0, 1);
+  const p99 = shown_group().runout.p99, far = Math.max(...circles.map((c) => c.distance), ...beside.map((c) => c.distance), ...areas.map((c) => c.distance), p99 ?? 0, 1);
   const around = [[centre[0] - far, centre[1] - far], [centre[0] + far, centre[1] + far]];
   const across = places_of(point).filter((p) => !p.line);  // at one x, over the whole plan
   const all = [...around, ...spots.map((e) => e.at), ...lines.flatMap((l) => l.line), ...across.map((p) => [p.x, centre[1]])], margin = 0.03 * far;
@@ -142,11 +148,14 @@ function draw_cover_plan(page, point) {
     row(number([[x, y]]), `${spot.name}: ${where_text(spot.at)}`);
   }
   for (const c of circles) { parts.push(circle(c.distance)); row(number(on_circle(c.distance, Math.PI / 4)), clearance_words(c)); }
+  for (const c of beside) { parts.push(circle(c.distance, "8 3")); row(number(on_circle(c.distance, (5 * Math.PI) / 4)), c.text); }
   for (const c of areas) rows.push(`area ${c.clearance}: reaches ${show(c.distance)} m from ${show(c.area.x)}, ${show(c.area.y)} (see Blasting area)`);
   if (p99 !== null) { parts.push(circle(p99, "4 3")); row(number(on_circle(p99, (3 * Math.PI) / 4)), `99 % of ${group_name(shown_group())} ${ends_at_landing ? "first land" : "stop"} within ${show(p99)} m`); }
   parts.push(svg_element("circle", { cx, cy, r: 3, fill: colour.brick }), drawn_text(to.left, to.top - 8, `mean release (red) at x = ${show(centre[0])} m, y = ${show(centre[1])} m; x to the right, y upwards`, { fill: colour.quiet }));
-  rows.forEach((text, i) => parts.push(drawn_text(to.left, to.bottom + 18 + 15 * i, text)));
-  const end = to.bottom + 18 + 15 * rows.length + 8;
+  // Beside the plan where it leaves room for the longest line, else below it.
+  const is_beside = to.right + 300 < sheet.wide, [x, y] = is_beside ? [to.right + 14, to.top + 16] : [to.left, to.bottom + 18];
+  rows.forEach((text, i) => parts.push(drawn_text(x, y + 15 * i, text)));
+  const end = Math.max(to.bottom + 18, is_beside ? y + 15 * rows.length : to.bottom + 18 + 15 * rows.length + 8);
   return { parts: [...parts, ...drawn_scale(to, end)], high: end + 12 };
 }
 
@@ -168,7 +177,7 @@ function inputs_section() {
   const path = (text) => ({ text: element("span", {}, ...breakable(text)), cls: "" }), value = (i) => ({ text: i.source ? `${i.value} (${i.source})` : i.value, cls: "" });
   const given = data.inputs.filter((i) => i.from !== null), assumed = data.inputs.filter((i) => i.from === null);
   const fold = element("details", { class: "for-paper" }, element("summary", {}, `All inputs: ${given.length} given, ${assumed.length} by default`),
-    table("Given", ["input", "value", "from"], given.map((i) => [path(i.path), value(i), i.from])),
+    table("Given", ["input", "value", "from"], given.map((i) => [path(i.path), value(i), { text: i.from, cls: "whole" }])),
     assumed.length === 0 ? "" : table("Not given, so by default", ["input", "value"], assumed.map((i) => [path(i.path), value(i)])));
   section("Inputs", fold, caption("Each input as it is written, a bare number in SI units, with the line of the scenario that gives it. In brackets: the publication of a law or model."));
 }

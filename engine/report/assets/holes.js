@@ -12,12 +12,21 @@ function pattern_plot(node, blast) {
   const x = holes.map((hole) => hole.x), y = holes.map((hole) => (has_y ? hole.y : -hole.row));
   const turned = has_y && most(y) - least(y) > most(x) - least(x), names = holes.length <= 60;
   const trace = { type: "scatter", mode: names ? "markers+text" : "markers", x: turned ? y : x, y: turned ? x : y,
-    text: holes.map((hole) => `${hole.hole}: ${show(1000 * hole.time_s)} ms`), textposition: "top center", textfont: { size: 11 }, hovertext: holes.map(text), hoverinfo: "text",
+    text: holes.map((hole) => `${hole.hole}<br>${show(1000 * hole.time_s)} ms`), textposition: "top center", textfont: { size: 11 }, hovertext: holes.map(text), hoverinfo: "text",
     marker: { size: holes.map((hole) => 9 + 30 * Math.sqrt(share[hole.hole] ?? 0)), color: holes.map((hole) => 1000 * hole.time_s), colorscale: "Viridis",
       line: { color: colour.ink, width: 1 }, colorbar: { title: { text: "time in ms" } } } };
   const along = turned ? axis("y in m") : axis("x in m");
   const across = !has_y ? { ...axis("row"), tickvals: y, ticktext: holes.map((hole) => hole.row) } : { ...(turned ? axis("x in m") : axis("y in m")), scaleanchor: "x", ...(turned ? { autorange: "reversed" } : {}) };
   plot(node, [trace], { height: 420, xaxis: along, yaxis: across }, true);
+}
+
+const centimetres = (metres) => `${Number((100 * metres).toPrecision(2))} cm`;
+
+/** Where most rocks of a risk are of branches, the order of the holes is that of a few chances. */
+function branches_of_risk(point, r) {
+  const rocks = point.blast.risk[r].rocks, of = (point.branches ?? []).slice(1).map((b) => ({ name: b.branch, rocks: b.risk[r].rocks, holes: b.risk[r].units })).filter((b) => b.rocks > 0);
+  if (of.reduce((sum, b) => sum + b.rocks, 0) * 2 <= rocks) return "";
+  return paragraph("note", `${of.map((b) => `${b.rocks} of the ${rocks} rocks are of the branch ${b.name}, which happened ${b.holes} times with such a rock`).join("; ")}. A branch may happen to any hole: the order of the holes is chance.`);
 }
 
 /** The burden along each hole of the front row, from the survey of the face. */
@@ -27,13 +36,13 @@ function burden_parts(blast) {
   const within = (hole, i) => hole.depth_m[i] >= hole.charge_m[0] - 1e-9 && hole.depth_m[i] <= hole.charge_m[1] + 1e-9;
   const line = (hole, style, of, keep) => ({ type: "scatter", mode: "lines", name: `hole ${hole.hole}`, legendgroup: hole.hole, showlegend: style === "solid", line: { ...of, dash: style === "dot" ? "dot" : "solid" },
     x: hole.burden_m.map((burden, i) => (keep(i) ? burden : null)), y: hole.depth_m, hovertemplate: `hole ${hole.hole}: %{x:.2f} m at %{y:.1f} m<extra></extra>` });
-  const colours = [colour.blue, colour.vermillion, colour.green, colour.purple, colour.orange, colour.sky];
+  const colours = [colour.blue, colour.vermillion, colour.green, colour.purple, colour.orange, colour.sky, colour.ink, "#8f8a00"];
   const traces = face.burdens.flatMap((hole, k) => {
     const own = colours[k % colours.length];
     return [line(hole, "solid", { color: own, width: 3 }, (i) => within(hole, i) && hole.known[i]), line(hole, "thin", { color: own, width: 1 }, (i) => hole.known[i]), line(hole, "dot", { color: own, width: 1 }, (i) => !hole.known[i])];
   });
   queueMicrotask(() => plot(node, traces, { height: 460, showlegend: face.burdens.length <= 12, legend, xaxis: { ...axis("distance to the face in m"), rangemode: "tozero" }, yaxis: { ...axis("depth along the hole in m"), autorange: "reversed" } }, true));
-  const error = face.error_m ? ` The points of the survey scatter by ${show(face.noise_m)} m about their neighbours, so the least burden may be wrong by ${show(face.error_m)} m.` : "";
+  const error = face.error_m ? ` The points of the survey scatter by ${centimetres(face.noise_m)} about their neighbours, so the least burden may be wrong by ${centimetres(face.error_m)}.` : "";
   return [node, caption(`Burden against depth of each hole of the front row: bold along its charge, dotted where the survey of the face ends and the face may be nearer.${error}`),
     numbers(table("Least burden along the charge", ["hole", "m"], face.burdens.map((hole) => [hole.hole, least[hole.hole]])))];
 }
@@ -62,12 +71,12 @@ function holes_section() {
       parts.push(node, caption(`Plan of the pattern: name and time in ms of each hole${blast.risk.length > 0 ? `; a larger dot has a larger share of the risk (${blast.risk[0].of})` : ""}.`));
       queueMicrotask(() => pattern_plot(node, blast));
     }
-    parts.push(...blast.risk.map((risk) => table(`Holes by their share of the ${risk.rocks} rocks ${risk.distance_m === null ? `past ${risk.of}` : `beyond ${show(risk.distance_m)} m (${risk.of})`}`,
+    parts.push(...blast.risk.flatMap((risk, r) => [branches_of_risk(point, r), table(`Holes by their share of the ${risk.rocks} rocks ${risk.distance_m === null ? `past ${risk.of}` : `beyond ${show(risk.distance_m)} m (${risk.of})`}`,
       ["hole", "rocks", "share", "burden m", "stemming m", "kg/m"],
       risk.holes.slice(0, 20).map((hole) => {
         const own = blast.measured.find((known) => known.hole === hole.hole);
         return [hole.hole, hole.rocks, right(percent(hole.share)), own.burden_m, own.stemming_m, own.charge_kg_per_m];
-      }))));
+      }))]));
     const rows = blast.measured.map((hole) => [hole.hole, hole.row, time(hole), hole.burden_m, hole.stemming_m, hole.charge_kg, hole.charge_kg_per_m, hole.charge_to_mass, hole.powder_factor_kg_m3,
       ...share.map((of) => right(percent(of[hole.hole] ?? 0)))]);
     rows.push(["all", "", "", "", "", blast.explosive_kg, "", "", blast.powder_factor_kg_m3, ...share.map(() => "")]);

@@ -55,7 +55,7 @@ function reach_section() {
   };
   const pages = point_pages(most_points, draw);
   section("Launch models side by side", pages.bar, node,
-    caption("How far the same blast throws by each model, to the first landing, on a logarithmic scale. The mark is the median, the whisker ends at p99."), table_place,
+    caption("How far the rocks of each group fly by its launch model, to the first landing, on a logarithmic scale. The mark is the median, the whisker ends at p99."), table_place,
     caption("Best angle: how far a rock with the p95 of v0 goes over level ground at the angle that takes it farthest. No factor of safety is in these numbers.",
       "v0 is the launch speed. What bounces or rolls after the first landing goes on, and is not in these numbers.",
       "The best angle counts from where the group's first rock starts, through the air that it meets; the rocks of the run fly at the angles of the scenario. summary.json has it for the median and the greatest speed, too."));

@@ -42,7 +42,7 @@ function crossings_section() {
 function clearance_section() {
   if (summary.points[0].clearance.length === 0) return;
   section_of_point("Clearance", (point) => [
-    table("", ["clearance", "rocks of", "exceeded by", "distance", "m", "interval", "from m", "to m", "factor", "with the factor m"],
+    table("", ["clearance", "rocks of", "exceeded by", "of the", "distance m", "interval", "from m", "to m", "factor", "with the factor m"],
       point.clearance.map((c) => {
         const one = c.per === "blast" ? `blasts, with ${show(c.rocks_per_blast)} rock${c.rocks_per_blast === 1 ? "" : "s"} a blast` : "rocks";
         const of = c.area ? "farthest of the area" : c.of === "runout" ? runout_short : "max. distance";
@@ -62,10 +62,10 @@ function clearance_section() {
 function exposure_section() {
   if (!summary.points[0].exposure) return;
   const interval = ([low, high]) => right(low === null ? "–" : `${in_percent(low)} to ${in_percent(high)}`);
-  const place = (e) => (e.line ? "along its line" : [e.at].flat().map(show).join(", "));
+  const place = (e) => ({ text: e.line ? "a line" : [e.at].flat().map(show).join(", "), cls: "whole" });
   section_of_point("Exposure", (point) => [
     table("Probability that at least one rock hits, if someone is there, and in a year",
-      ["who or what", "at m", "m2", "occupied", "landings near it", "within m", "hits per m2", "a blast hits", "95 %", "blasts a year", "in a year", "95 %"],
+      ["who or what", "at m", "area m2", "occupied", "landings near it", "within m", "hits per m2", "a blast hits", "95 %", "blasts a year", "in a year", "95 %"],
       point.exposure.map((e) => [e.exposure, place(e), e.area_m2, right(percent(e.occupied)), e.landings, e.radius_m, e.hits_per_m2,
         right(e.per_blast === null ? "–" : e.landings === 0 ? `below ${percent(e.interval[1])}` : percent(e.per_blast)), interval(e.interval), e.blasts_per_year,
         right(e.per_year === null ? "–" : e.landings === 0 ? `below ${percent(e.per_year_interval[1])}` : percent(e.per_year)), interval(e.per_year_interval)])),

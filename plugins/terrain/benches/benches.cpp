@@ -19,6 +19,7 @@ class Benches : public TerrainModel {
         face_angle_(params.slot("face_angle")),
         berm_(params.slot("berm")),
         floor_(params.slot("floor")),
+        top_(params.slot("top")),
         length_(params.slot("length")),
         azimuth_(params.slot("azimuth")),
         line_(params.points2("line")),
@@ -61,6 +62,7 @@ class Benches : public TerrainModel {
     numbers.face_angle = values[face_angle_];
     numbers.berm = values[berm_];
     numbers.floor = values[floor_];
+    numbers.top = or_else(values, top_, numbers.top);
     if (ditch_[0] >= 0) numbers.ditch = {values[ditch_[0]], values[ditch_[1]], values[ditch_[2]]};
     if (bund_[0] >= 0)
       numbers.bund = {values[bund_[0]], values[bund_[1]], values[bund_[2]], bund_on_berms_,
@@ -89,7 +91,7 @@ class Benches : public TerrainModel {
     return rough;
   }
 
-  int count_, height_, face_angle_, berm_, floor_, length_, azimuth_;
+  int count_, height_, face_angle_, berm_, floor_, top_, length_, azimuth_;
   std::vector<Vec2> line_;
   int ditch_[3], bund_[4];
   bool bund_on_berms_;

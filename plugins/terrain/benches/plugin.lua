@@ -4,7 +4,7 @@ return fr.plugin {
   kind = "terrain",
   name = "benches",
   doc = "Quarry benches: x = 0 at the uppermost crest, height 0 on the floor, rocks fall towards +x; bench 1 is the "
-    .. "uppermost. Behind its crest lie 50 m of berm. In 3D y runs along the crest, from -length/2 to length/2. Parts: face, "
+    .. "uppermost. Behind its crest lies a berm (`top`). In 3D y runs along the crest, from -length/2 to length/2. Parts: face, "
     .. "berm, floor, and ditch and bund where they are given.",
   params = {
     count = fr.integer { min = 1, max = 1000, doc = "number of benches" },
@@ -12,6 +12,12 @@ return fr.plugin {
     face_angle = fr.number { above = 0, max = 90, unit = "deg", usual = { 30, 90 }, doc = "dip of the faces" },
     berm = fr.number { min = 0, unit = "m", doc = "width of the berms between two benches; 0 joins their faces" },
     floor = fr.number { above = 0, unit = "m", doc = "length of the floor beyond the lowest toe" },
+    top = fr.number {
+      optional = true,
+      above = 0,
+      unit = "m",
+      doc = "length of the berm behind the uppermost crest; 50 m where it is left out",
+    },
     length = fr.number { optional = true, above = 0, unit = "m", doc = "3D: of the crest; 100 m where it is left out" },
     azimuth = fr.number {
       optional = true,

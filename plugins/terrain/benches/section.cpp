@@ -12,7 +12,6 @@ namespace flyrock::plugins {
 
 namespace {
 
-constexpr double plateau = 50;  // m of berm behind the uppermost crest
 constexpr std::array<const char*, 5> part_names{"face", "berm", "floor", "ditch", "bund"};
 
 /// The horizontal run of a slope [m]; 0 for an upright one.
@@ -31,7 +30,7 @@ class Builder {
   Section build() {
     const BenchNumbers& n = numbers_;
     const double run = run_of(n.height, n.face_angle);
-    section_.points.emplace_back(-plateau, n.count * n.height);
+    section_.points.emplace_back(-n.top, n.count * n.height);
     go_to({0, n.count * n.height}, BenchPart::berm, 0);
     for (int below = n.count - 1; below >= 0; --below) {
       const int bench = n.count - below;
@@ -121,6 +120,7 @@ Section section_of(const BenchNumbers& numbers) {
   check_slope(numbers.face_angle, "face_angle");
   require(numbers.berm >= 0, "berm", numbers.berm, "at least 0 m");
   require(numbers.floor > 0, "floor", numbers.floor, "above 0 m");
+  require(numbers.top > 0, "top", numbers.top, "above 0 m");
   if (const auto& ditch = numbers.ditch) {
     require(ditch->width > 0, "ditch.width", ditch->width, "above 0 m");
     require(ditch->depth > 0, "ditch.depth", ditch->depth, "above 0 m");

@@ -33,6 +33,7 @@ struct BenchNumbers {
   double face_angle = 0;  ///< rad
   double berm = 0;        ///< m
   double floor = 0;       ///< m, beyond the lowest toe
+  double top = 50;        ///< m of berm behind the uppermost crest
   std::optional<Ditch> ditch;
   std::optional<Bund> bund;
 };

@@ -20,12 +20,18 @@ using namespace flyrock;
 
 namespace {
 
-Results results_of(const Plan& plan, std::uint64_t trials) {
+Results results_of(const Plan& plan, std::uint64_t trials, const ReaderOfPoint& reader = {}) {
   const std::size_t points = plan.points.size();
   Results results = make_results(plan, fake::rows(trials, static_cast<int>(points)),
-                                 {std::vector<std::uint64_t>(points, trials), true, "", {}});
+                                 {std::vector<std::uint64_t>(points, trials), true, "", {}}, reader);
   for (PointResult& point : results.points) point.terrain = fake::bench();
   return results;
+}
+
+ReaderOfPoint reader_of(ReportData& data) {
+  return [&data](std::size_t point, const std::vector<RunoutExtent>& runouts) {
+    return data.reader(point, runouts);
+  };
 }
 
 nlohmann::ordered_json data_of(const Plan& plan, std::uint64_t trials) {
@@ -35,15 +41,12 @@ nlohmann::ordered_json data_of(const Plan& plan, std::uint64_t trials) {
   ReportData data(scenario);
   for (std::size_t p = 0; p < rows.size(); ++p)
     rows[p](Part::whole, [&](const TrialRecords& chunk) { data.add(static_cast<int>(p), chunk, chunk); });
-  const Results results = results_of(plan, trials);
-  return data.finish(results, ground_pictures(results.points), rows);
+  const Results results = results_of(plan, trials, reader_of(data));
+  return data.finish(results, ground_pictures(results.points));
 }
 
 RunoutData runouts(const std::vector<Bounded>& values, double greatest) {
-  GroupSummary group;
-  group.count = values.size();
-  group.statistics[rock_statistic("runout")][static_cast<int>(Statistic::max)].value = greatest;
-  RunoutData data(group);
+  RunoutData data({.count = values.size(), .greatest = greatest});
   do {
     for (const Bounded& value : values) data.add(value, 1);
   } while (data.needs_another_pass());
@@ -212,10 +215,9 @@ TEST_CASE("The first line of a page with rocks that diverged says so, above ever
   scenario.plan = plan;
   ReportData data(scenario);
   data.add(0, records, records);
-  Results results = make_results(plan, {rows_of(records)}, {{50}, true, "", {}});
+  Results results = make_results(plan, {rows_of(records)}, {{50}, true, "", {}}, reader_of(data));
   results.points[0].terrain = fake::bench();
-  const std::string page =
-      report_html(data.finish(results, ground_pictures(results.points), {rows_of(records)}), assets);
+  const std::string page = report_html(data.finish(results, ground_pictures(results.points)), assets);
   const std::string line =
       "<main>\n<p class=\"alarm\">3 of 100 rocks diverged and 1 failed: below the ground (trial 3, rock 1); "
       "plugin &lt;b&gt;: failed "

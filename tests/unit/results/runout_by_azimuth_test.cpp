@@ -25,7 +25,7 @@ RunoutByAzimuth summary_of(std::vector<RockRecord> rocks) {
   for (std::size_t i = 0; i < rocks.size(); ++i) rocks[i].trial = i;
   AzimuthTally tally;
   do {
-    for (const RockRecord& r : rocks) tally.add(r);
+    for (const RockRecord& r : rocks) tally.add(r, azimuth_sector_of(r));
   } while (tally.needs_another_pass());
   return tally.summary();
 }

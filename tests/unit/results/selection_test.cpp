@@ -70,6 +70,33 @@ TEST_CASE("Order statistics are those of the sorted column, in a few passes") {
   }
 }
 
+TEST_CASE("Other ranks of a column take one pass more, because its first pass has counted the column") {
+  for (const std::uint64_t n : {3000, 200'000, 2'000'000}) {
+    INFO(n);
+    std::vector<double> values;
+    for (std::uint64_t i = 0; i < n; ++i) values.push_back(100 + 200 * uniform(i));
+    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+    Selection first({0.5 * static_cast<double>(n)}, n, static_cast<double>(n), *least, *greatest);
+    const auto passes = [&](Selection& selection) {
+      int count = 0;
+      for (; selection.open(); ++count) {
+        for (const double value : values) selection.add(value);
+        selection.end_pass();
+      }
+      return count;
+    };
+    CHECK(passes(first) <= 2);
+    const std::vector<double> ranks = {0, 7, std::floor(0.95 * static_cast<double>(n)),
+                                       static_cast<double>(n - 1)};
+    Selection second = first.search_again(ranks);
+    CHECK(passes(second) == 1);
+    CHECK_THROWS_AS(first.search_again({static_cast<double>(n)}), std::out_of_range);
+    std::sort(values.begin(), values.end());
+    CHECK(first.at(0.5 * static_cast<double>(n)) == values[n / 2]);
+    for (const double rank : ranks) CHECK(second.at(rank) == values[static_cast<std::size_t>(rank)]);
+  }
+}
+
 TEST_CASE("What nobody looked for has no answer") {
   Selection selection({1}, 3, 3, 1, 3);
   for (const double value : {3.0, 1.0, 2.0}) selection.add(value);
