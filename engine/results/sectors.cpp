@@ -107,7 +107,8 @@ void SectorTally::add(const End& end, std::uint64_t trial, double weight) {
   Sector& sector = sectors_[at];
   sector.greatest = farther(sector.greatest, end.distance);
   const auto nearest_first = std::greater<>();
-  const double units = weights_.differ() ? weight * static_cast<double>(rocks_) / weight_ : 1;
+  const double units =
+      (weights_.differ() ? weight * static_cast<double>(rocks_) / weight_ : 1) / design_effect_;
   const auto needed = static_cast<double>(beyond_.value_or(0) + 1);
   sector.farthest.push_back({end.distance.value, units});
   sector.weight += units;
@@ -146,7 +147,8 @@ bool SectorTally::needs_another_pass(std::optional<double> design_effect) {
 }
 
 void SectorTally::choose_sectors(double design_effect) {
-  effective_ = plan_.per_blast ? static_cast<double>(trials_) : static_cast<double>(rocks_) / design_effect;
+  if (!plan_.per_blast) design_effect_ = design_effect;
+  effective_ = static_cast<double>(plan_.per_blast ? trials_ : rocks_) / design_effect_;
   int count = plan_.sectors;
   beyond_ = rocks_beyond(count, effective_, plan_.probability);
   while (!beyond_ && count > 1) {

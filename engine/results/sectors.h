@@ -27,7 +27,8 @@ struct SectorSummary {
   std::uint64_t count = 0;  ///< rocks without faults, or trials whose farthest rock is there
   Share share;              ///< of all rocks, or of all trials
   Bounded greatest{unknown, false};
-  /// Where the area ends in this sector [m]: the (k + 1)-th greatest distance; 0 with fewer. NaN: no area.
+  /// Where the area ends in this sector [m]: the (k + 1)-th greatest distance of effective rocks; 0 with
+  /// fewer. NaN: no area.
   Bounded distance{unknown, false};
   double with_factor = unknown;  ///< factor x distance; NaN without a factor
 };
@@ -39,8 +40,10 @@ struct SectorSummary {
 /// Of N independent rocks, k stop outside in each of s sectors. The share of new rocks that stop outside is
 /// then distributed as Beta(s (k + 1), N + 1 - s (k + 1)) or less (order statistics; Wald 1943, An extension
 /// of Wilks' method for setting tolerance limits). k is the greatest for which its 95 % quantile is at most
-/// the probability. With weights a sector ends where the rocks from there on weigh k + 1 times the mean
-/// weight. Without any, the number of sectors is halved; without any in one sector there is no area.
+/// the probability. N counts effective rocks, and so does k: where rocks share their blast, a rock counts
+/// 1 / design effect, so that a sector ends where the rocks from there on make k + 1 effective ones; with
+/// weights it counts its share of the mean weight, too. Without any k, the number of sectors is halved;
+/// without any in one sector there is no area.
 struct AreaSummary {
   Vec2 centre = Vec2::Zero();
   std::vector<Vec2> hull;               ///< counter-clockwise
@@ -69,7 +72,7 @@ class SectorTally {
  private:
   enum class Stage { releases, waiting, distances, done };
   struct Far {
-    double distance, weight;  ///< in units of the mean weight
+    double distance, weight;  ///< in effective rocks
     bool operator>(const Far& other) const { return distance > other.distance; }
   };
   struct Sector {
@@ -96,7 +99,7 @@ class SectorTally {
   std::uint64_t rocks_ = 0, trials_ = 0, last_trial_ = 0;
   WeightRange weights_;
   double weight_ = 0;  ///< of all rocks
-  double effective_ = 0;
+  double effective_ = 0, design_effect_ = 1;
   std::optional<std::uint64_t> beyond_;
   std::vector<Sector> sectors_;
   ShareTally shares_;
