@@ -23,17 +23,26 @@ help:
 	@echo "make fuzz KIND=terrain SECONDS=600 SEED=1  writes files of ground with the quirks of programs, and judges what is read"
 	@echo "make reference   write docs/reference from the manifests of the plugins and the examples of shapes"
 	@echo "make course write the pictures of the course's pages"
+	@echo "make notebooks   write the labs of the course as Jupyter notebooks into out/notebooks, and execute them"
+	@echo "make site   write the pages as a web site into out/site"
+	@echo "make archive   pack flyrock with all that it needs for other and older systems, into out/archive"
+	@echo "make deb    write Debian packages into out/deb"
 	@echo "make format lay out the sources as .clang-format says, which a test checks"
 	@echo "make tidy   clang-tidy over the files that differ from main (TIDY_ALL=1: over all)"
 	@echo "make deps   install what is missing: Debian packages and Plotly"
 	@echo "make deps-browser   Chromium too, for the tests that open the report"
 
-deps: $(PLOTLY)
-	@missing=""; for p in $(PACKAGES); do \
+# Installs those of the packages that are missing.
+define need
+	@missing=""; for p in $(1); do \
 	  case $$p in g++|cmake|npm) command -v $$p > /dev/null && continue;; esac; \
 	  dpkg-query -W -f '$${Status}' $$p 2> /dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
 	if [ -n "$$missing" ]; then $(SUDO) apt-get update -qq && \
 	  DEBIAN_FRONTEND=noninteractive $(SUDO) apt-get install -y -qq --no-install-recommends $$missing; fi
+endef
+
+deps: $(PLOTLY)
+	$(call need,$(PACKAGES))
 
 # Large, and only for tests; those say SKIPPED without it.
 deps-browser: deps
@@ -78,6 +87,10 @@ deb: build-bench
 	command -v dpkg-shlibdeps > /dev/null || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends dpkg-dev; }
 	cd build/bench && cpack -B $(CURDIR)/out/deb > /dev/null
 	@ls out/deb/*.deb
+
+# For systems without these packages, or older than this one (docs/installing.md).
+archive: build-bench
+	engine/archive.sh build/bench out/archive
 
 test: deps-format build-release build-dev
 	ctest --test-dir build/dev -L fast -j $(TEST_JOBS) --output-on-failure
@@ -127,10 +140,25 @@ course: build-bench
 	  case $$lab in dzhanibekov) until="--until 12s";; *) until="";; esac; \
 	  build/bench/bin/flyrock animate out/course/$$lab $$until -o docs/course/images/$$lab.svg || exit 1; done
 
+# The labs as notebooks, executed: a notebook whose lab does not hold, or that lacks its pictures, is an error.
+notebooks: build-bench
+	$(call need,jupyter-nbconvert python3-ipykernel python3-pandas python3-matplotlib)
+	rm -rf out/notebooks
+	python3 docs/course/notebooks.py -o out/notebooks
+	cd out/notebooks && PYDEVD_DISABLE_FILE_VALIDATION=1 PATH="$(CURDIR)/build/bench/bin:$$PATH" jupyter-nbconvert --to notebook --execute --inplace --log-level=WARN *.ipynb
+	python3 docs/course/notebooks.py --check out/notebooks
+
+# The pages as a web site, with search; nothing in it is fetched from another server.
+site:
+	$(call need,mkdocs mkdocs-material)
+	python3 docs/site.py out/site-source
+	mkdocs build --strict --quiet
+	python3 docs/site.py --check out/site
+
 drawings:
 	lua5.4 docs/drawings/breakout.lua > docs/images/breakout.svg
 
 clean:
 	rm -rf build out
 
-.PHONY: help install deb deps deps-browser deps-format format tidy demo test test-heavy golden fuzz bench validation reference course drawings clean
+.PHONY: help install deb archive notebooks site deps deps-browser deps-format format tidy demo test test-heavy golden fuzz bench validation reference course drawings clean

@@ -7,7 +7,7 @@ file(COPY ${SOURCE}/plugins DESTINATION ${SHARE} FILES_MATCHING PATTERN "*.lua" 
 file(COPY ${SOURCE}/scenarios DESTINATION ${SHARE})
 file(COPY ${SOURCE}/lua/templates DESTINATION ${SHARE})
 file(COPY ${SOURCE}/lua/library DESTINATION ${SHARE})
-file(COPY ${SOURCE}/docs/course DESTINATION ${SHARE} FILES_MATCHING PATTERN "*.md" PATTERN "*.svg")
+file(COPY ${SOURCE}/docs/course DESTINATION ${SHARE} FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.py")
 file(COPY ${SOURCE}/lua/flyrock DESTINATION ${SHARE}/lua FILES_MATCHING PATTERN "*.lua")
 file(COPY ${SOURCE}/engine/report/assets/ DESTINATION ${SHARE}/report)
 foreach(bundle cartesian gl3d)

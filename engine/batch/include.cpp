@@ -90,11 +90,11 @@ class Includer {
 
 }  // namespace
 
-void include_files(Value& root, const fs::path& folder, const fs::path& library,
-                   std::map<std::string, std::string>& files, Diagnostics& diagnostics) {
+std::vector<Value> included_files(Value& root, const fs::path& folder, const fs::path& library,
+                                  std::map<std::string, std::string>& files, Diagnostics& diagnostics) {
   const std::optional<Node> list = Node::root(root).find("include");
-  if (!list) return;
   std::vector<Value> documents;
+  if (!list) return documents;
   for (const Node& item : list->expect_list(diagnostics) ? list->items() : std::vector<Node>()) {
     const std::string* name = item.value->text();
     if (!name || name->empty()) {
@@ -121,8 +121,12 @@ void include_files(Value& root, const fs::path& folder, const fs::path& library,
     }
   }
   std::erase_if(*root.map(), [](const Entry& entry) { return entry.key == "include"; });
+  return documents;
+}
+
+void take_included(Value& root, const std::vector<Value>& files, Diagnostics& diagnostics) {
   Includer includer(root, diagnostics);
-  for (const Value& document : documents) includer.take(document);
+  for (const Value& file : files) includer.take(file);
 }
 
 }  // namespace flyrock

@@ -100,8 +100,13 @@ std::optional<LoadedScenario> load_scenario(const std::string& path, const Overr
   loaded.own_trials = trials_of(root);
   const fs::path folder = fs::path(path).parent_path();
   std::map<std::string, std::string> included;
-  if (root.map()) include_files(root, folder, fs::path(share_folder()) / "library", included, diagnostics);
+  std::vector<Value> library;
+  if (root.map())
+    library = included_files(root, folder, fs::path(share_folder()) / "library", included, diagnostics);
+  take_included(root, library, diagnostics);
   apply_overrides(root, overrides, diagnostics);
+  // An override may change an included value, and name another one.
+  if (!diagnostics.has_errors()) take_included(root, library, diagnostics);
   load_plugin_files(root, folder, *loaded.session, diagnostics);
   loaded.session->arguments().refuse_unasked(diagnostics);
 

@@ -1,4 +1,4 @@
-// flyrock animate: the motion of the stored rocks as an animated picture.
+// flyrock animate: the motion of the stored rocks as an animated picture, as a film, or as single frames.
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "batch/safe_file.h"
+#include "cli/film.h"
 #include "cli/result_folder.h"
 #include "report/animation.h"
 #include "units/units.h"
@@ -23,10 +24,10 @@ std::string title_of(const fs::path& result) {
   return nlohmann::json::parse(read_file(result / "summary.json")).at("title").get<std::string>();
 }
 
-double time_of(const std::string& text) {
+double time_of(const std::string& option, const std::string& text) {
   const std::optional<Quantity> read = parse_quantity(text);
   if (!read || !(read->si() > 0) || (read->has_unit && read->unit.dimension != dimension::time))
-    throw UsageError(fmt::format("--until {}: expected a positive time, as `12 s`", text));
+    throw UsageError(fmt::format("--{} {}: expected a positive time, as `12 s`", option, text));
   return read->si();
 }
 
@@ -45,28 +46,41 @@ void end_at(std::vector<StoredPath>& paths, double time) {
 
 int animate(const Command& command, const Arguments& arguments) {
   po::options_description options("options");
-  options.add_options()("output,o", po::value<std::string>()->value_name("FILE.svg"),
-                        "the picture; default DIR/motion.svg")(
+  options.add_options()("output,o", po::value<std::string>()->value_name("FILE"),
+                        "FILE.svg, or for slides FILE.mp4, FILE.gif, or FILE.png: a picture a frame, as "
+                        "FILE-001.png; default DIR/motion.svg")(
       "point", po::value<std::string>()->default_value("0")->value_name("P"), "sweep point")(
       "until", po::value<std::string>()->value_name("TIME"),
-      "where the motion ends, as `12 s`; default: all");
+      "where the motion ends, as `12 s`; default: all")("at", po::value<std::string>()->value_name("TIME"),
+                                                        "one picture, of this time")(
+      "width", po::value<std::string>()->default_value("1280")->value_name("PIXELS"), "of films and of PNG");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
   const std::uint64_t point = whole_number(line.text("point"), "--point", 0);
+  const std::uint64_t width = whole_number(line.text("width"), "--width", 16);
   const fs::path result = finished_result(line.words[0]);
   const fs::path file = line.has("output") ? fs::path(line.text("output")) : result / "motion.svg";
+  std::optional<double> at;
+  if (line.has("at")) at = time_of("at", line.text("at"));
+  if (is_film(file)) require_programs(file);
+  if (at && is_film(file) && file.extension() != ".png")
+    throw UsageError("--at gives one picture: expected -o FILE.svg or FILE.png");
   const SqliteReader database(result / "results.db");
   StoredPaths stored(database);
   std::vector<StoredPath> paths;
   do paths = stored.next_point();
   while (!paths.empty() && static_cast<std::uint64_t>(paths.front().point) != point);
-  if (line.has("until")) end_at(paths, time_of(line.text("until")));
-  const std::string picture =
-      animation_of(database, paths, fmt::format("{}, point {}", title_of(result), point));
-  if (picture.empty())
+  if (paths.empty())
     throw InputError(fmt::format(
         "no path of point {} is stored; output.trajectories of the scenario says how many are", point));
-  write_file(file, picture);
+  if (line.has("until")) end_at(paths, time_of("until", line.text("until")));
+  const std::string title = fmt::format("{}, point {}", title_of(result), point);
+  if (is_film(file)) {
+    film(frames_of(database, paths, title, at), file, width);
+    return done;
+  }
+  write_file(file, at ? frames_of(database, paths, title, at).pictures.front()
+                      : animation_of(database, paths, title));
   fmt::print("{}\n", file.string());
   return done;
 }

@@ -7,6 +7,7 @@
 #include "batch/safe_file.h"
 #include "cli/loading.h"
 #include "cli/shard_command.h"
+#include "host/share.h"
 
 namespace flyrock::cli {
 
@@ -67,7 +68,7 @@ int submit(const Command& command, const Arguments& arguments) {
   const std::string folder = line.has("output") ? line.text("output") : "out/" + loaded->name;
   if (folder.empty()) throw UsageError("--output: expected a folder");
   job.folder = fs::absolute(folder).lexically_normal();
-  job.program = shell_word(fs::read_symlink("/proc/self/exe").string());
+  job.program = shell_word(program_file());
   job.scenario = shell_word(fs::absolute(line.words[0]).lexically_normal().string());
   std::error_code error;
   fs::create_directories(job.folder, error);

@@ -116,30 +116,63 @@ std::string legend(const Stage& stage, double greatest) {
   return out;
 }
 
-}  // namespace
+/// What there is to draw, and where.
+struct Scene {
+  Scene(const SqliteReader& database, const std::vector<StoredPath>& paths)
+      : actors(actors_of(database, paths)),
+        point(paths.front().point),
+        dimension(stored_ground(database, point) ? 3 : 2),
+        stage(actors, dimension),
+        ground(dimension == 2 ? ground_in_plane(database, point, stage)
+                              : ground_in_space(database, point, stage)),
+        contacts(stored_contacts(database, point, paths.front().trial)) {
+    std::stable_sort(actors.begin(), actors.end(), [&](const Actor& a, const Actor& b) {
+      return stage.view.near.dot(a.path.moments.front().place) <
+             stage.view.near.dot(b.path.moments.front().place);
+    });
+  }
 
-std::string animation_of(const SqliteReader& database, const std::vector<StoredPath>& paths,
-                         const std::string& title) {
-  if (paths.empty()) return "";
-  std::vector<Actor> actors = actors_of(database, paths);
-  const std::int64_t point = paths.front().point;
-  const int dimension = stored_ground(database, point) ? 3 : 2;
-  const Stage stage(actors, dimension);
-  std::stable_sort(actors.begin(), actors.end(), [&](const Actor& a, const Actor& b) {
-    return stage.view.near.dot(a.path.moments.front().place) <
-           stage.view.near.dot(b.path.moments.front().place);
-  });
+  std::vector<Actor> actors;
+  std::int64_t point;
+  int dimension;
+  Stage stage;
+  std::string ground;
+  std::vector<StoredContact> contacts;
+};
+
+std::string drawn(const Scene& scene, const std::string& title) {
+  const Stage& stage = scene.stage;
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
       "{1:.0f}\" font-family=\"sans-serif\" font-size=\"11\">\n<title>{2}</title>\n<rect width=\"100%\" "
       "height=\"100%\" fill=\"#fff\"/>\n<svg width=\"{0:.0f}\" height=\"{3:.0f}\"><g stroke=\"#444\">\n",
       stage.width, stage.height + legend_high, escaped(title), stage.height);
-  out += dimension == 2 ? ground_in_plane(database, point, stage) : ground_in_space(database, point, stage);
-  for (const Actor& actor : actors) out += animated_rock(actor, stage, dimension);
-  const std::vector<StoredContact> contacts = stored_contacts(database, point, paths.front().trial);
-  const double greatest = greatest_force(contacts);
-  out += forces(contacts, greatest, stage);
+  out += scene.ground;
+  for (const Actor& actor : scene.actors) out += animated_rock(actor, stage, scene.dimension);
+  const double greatest = greatest_force(scene.contacts);
+  out += forces(scene.contacts, greatest, stage);
   return out + "</g></svg>\n" + stage.axis() + legend(stage, greatest) + "</svg>\n";
+}
+
+}  // namespace
+
+std::string animation_of(const SqliteReader& database, const std::vector<StoredPath>& paths,
+                         const std::string& title) {
+  return paths.empty() ? "" : drawn(Scene(database, paths), title);
+}
+
+Frames frames_of(const SqliteReader& database, const std::vector<StoredPath>& paths, const std::string& title,
+                 std::optional<double> time) {
+  if (paths.empty()) return {};
+  Scene scene(database, paths);
+  const std::vector<double> all = scene.stage.times;
+  Frames frames;
+  frames.rate = static_cast<double>(all.size() - 1) / scene.stage.shown;
+  for (const double moment : time ? std::vector{std::clamp(*time, all.front(), all.back())} : all) {
+    scene.stage.still = moment;
+    frames.pictures.push_back(drawn(scene, title));
+  }
+  return frames;
 }
 
 }  // namespace flyrock

@@ -1,6 +1,7 @@
 #pragma once
 // The motion of rocks as an animated picture.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,5 +16,14 @@ namespace flyrock {
 /// of the first moment. Empty if there are none.
 std::string animation_of(const SqliteReader& database, const std::vector<StoredPath>& paths,
                          const std::string& title);
+
+/// The same pictures one by one, for programs that do not animate SVG: those of all frames, or of one time
+/// [s] (before the motion: its first moment).
+struct Frames {
+  std::vector<std::string> pictures;
+  double rate = 0;  ///< frames a second with which they last as long as the animation
+};
+Frames frames_of(const SqliteReader& database, const std::vector<StoredPath>& paths, const std::string& title,
+                 std::optional<double> time);
 
 }  // namespace flyrock

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,25 +62,27 @@ class Stage {
   std::string ruler(double& end) const;
 
   PictureView view;
-  std::vector<double> times;  ///< s, of the frames
-  double shown = 0;           ///< s, how long the picture takes
+  std::vector<double> times;    ///< s, of the frames
+  double shown = 0;             ///< s, how long the picture takes
+  std::optional<double> still;  ///< s, of the only frame, for a picture that does not move
   double scale = 1, width = 0, height = 0;
 
  private:
   template <class Value>
   Animated animated(const std::string& tag, const std::string& attribute, Pace pace, Value value) const {
+    if (still) return {attribute, value(*still), ""};
     std::string values, first;
-    bool still = true;
+    bool same = true;
     for (std::size_t i = 0; i < times.size(); ++i) {
       const std::string text = value(times[i]);
       if (i == 0) first = text;
-      still = still && text == first;
+      same = same && text == first;
       values += (i ? ";" : "") + text;
     }
     return {attribute, first,
             fmt::format("<{} attributeName=\"{}\" dur=\"{:g}s\" repeatCount=\"indefinite\"{} values=\"{}\"/>",
                         tag, attribute, shown, pace == Pace::discrete ? " calcMode=\"discrete\"" : "",
-                        still ? first + ";" + first : values)};
+                        same ? first + ";" + first : values)};
   }
 
   double first_ = 0, length_ = 0;

@@ -13,4 +13,8 @@ std::string share_folder();
 /// build.
 std::string module_folder();
 
+/// The file that starts flyrock, for scripts: ../bin/flyrock relative to the running program. In the archive
+/// for older systems the running program is the loader in lib, and bin/flyrock the script that calls it.
+std::string program_file();
+
 }  // namespace flyrock

@@ -281,6 +281,42 @@ TEST_CASE("No page, manifest or scenario takes a distance model on its own for w
     CHECK(page.find(count) != std::string::npos);
 }
 
+TEST_CASE("every page is in the navigation of the site, and the navigation has no other") {
+  const fs::path source = FLYROCK_SOURCE_DIR;
+  const std::string site = read(source / "mkdocs.yml");
+  const std::size_t begin = site.find("\nnav:\n");
+  REQUIRE(begin != std::string::npos);
+  static const std::regex file("\\S+\\.md");
+  std::set<std::string> named, there = {"CHANGELOG.md"};
+  for (auto found = std::sregex_iterator(site.begin() + static_cast<long>(begin), site.end(), file);
+       found != std::sregex_iterator(); ++found)
+    CHECK(named.insert(found->str()).second);
+  for (const fs::path& page : pages()) there.insert(fs::relative(page, source).string());
+  for (const std::string& page : there) {
+    INFO(page << " needs a line under nav in mkdocs.yml");
+    CHECK(named.count(page) == 1);
+  }
+  for (const std::string& page : named) {
+    INFO(page << " is in mkdocs.yml");
+    CHECK(there.count(page) == 1);
+  }
+}
+
+TEST_CASE("the syllabus has a row for each lab of the course") {
+  const std::string page = read(FLYROCK_SOURCE_DIR "/docs/course/README.md");
+  const std::string syllabus = page.substr(page.find("\n## Syllabus\n"));
+  static const std::regex lab("\\| \\d+ \\| \\[(\\w+)\\]"), row("\n\\| (\\w+) \\| \\d+ \\| ");
+  std::vector<std::string> labs, rows;
+  for (auto found = std::sregex_iterator(page.begin(), page.end(), lab); found != std::sregex_iterator();
+       ++found)
+    labs.push_back((*found)[1]);
+  for (auto found = std::sregex_iterator(syllabus.begin(), syllabus.end(), row);
+       found != std::sregex_iterator(); ++found)
+    rows.push_back((*found)[1]);
+  CHECK(labs.size() == 16);
+  CHECK(rows == labs);
+}
+
 TEST_CASE("The pages do what they say", "[slow]") {
   for (const fs::path& page : pages()) follow(page);
 }

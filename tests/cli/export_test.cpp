@@ -443,6 +443,42 @@ TEST_CASE("an animated picture shows its first moment in programs that do not an
   CHECK(picture.find("<g transform=\"translate(" + first + ")\">") != std::string::npos);
 }
 
+TEST_CASE("animate writes one moment, films and frames") {
+  const Folder folder;
+  const std::string scenario = std::string(FLYROCK_SOURCE_DIR) + "/scenarios/course/bouncing_ball.yaml";
+  REQUIRE(call(folder, "run " + scenario + " -o out --quiet").code == 0);
+  REQUIRE(call(folder, "animate out -o moving.svg").code == 0);
+  REQUIRE(call(folder, "animate out -o first.svg --at 1us").code == 0);
+  REQUIRE(call(folder, "animate out -o floor.svg --at 1.4278s").code == 0);
+  const std::string first = read(folder.path() / "first.svg"), floor = read(folder.path() / "floor.svg");
+  CHECK(first.find("<animate") == std::string::npos);
+  // The first moment is that of the moving picture; sqrt(2 H/g) later the ball is on the ground.
+  const auto height = [](const std::string& picture) {
+    return std::stod(picture.substr(picture.find("translate(120.00,") + 17));
+  };
+  CHECK(height(first) == Approx(height(read(folder.path() / "moving.svg"))).margin(0.01));
+  CHECK(height(floor) == Approx(487.6).margin(0.3));  // the line of the ground is at 492.1, the radius is 4.6
+  CHECK(call(folder, "animate out -o x.mp4 --at 1s").err.find("--at gives one picture") != std::string::npos);
+  CHECK(call(folder, "animate out -o x.svg --at 1kg").code == 2);
+  CHECK(shell(folder, "PATH=/nowhere '" FLYROCK_BINARY "' animate out -o x.mp4").err.find("librsvg2-bin") !=
+        std::string::npos);
+  if (shell(folder, "command -v rsvg-convert && command -v ffmpeg").code != 0) {
+    WARN("SKIPPED: films need rsvg-convert and ffmpeg");
+    return;
+  }
+  REQUIRE(call(folder, "animate out -o still.png --at 1s --width 321").code == 0);
+  CHECK(read(folder.path() / "still.png").substr(1, 3) == "PNG");
+  CHECK(read(folder.path() / "still.png").substr(16, 4) == std::string("\0\0\x01\x41", 4));
+  const Output frames = call(folder, "animate out -o ball.png --width 100");
+  CHECK(count_of(frames.out, ".png\n") == 113);  // 25 a second in 4.48 s, both ends
+  CHECK(folder.has("ball-113.png"));
+  CHECK(call(folder, "animate out -o ball.gif --width 101").out == "ball.gif\n");
+  CHECK(read(folder.path() / "ball.gif").starts_with("GIF89a"));
+  CHECK(call(folder, "animate out -o ball.mp4 --width 101").out == "ball.mp4\n");
+  CHECK(read(folder.path() / "ball.mp4").substr(4, 4) == "ftyp");
+  CHECK(shell(folder, "ls -d .frames-*").code != 0);
+}
+
 TEST_CASE("Maps are exported as ASCII grids with the values of the page") {
   const Folder folder;
   const std::string mapped = FLYROCK_SOURCE_DIR "/tests/unit/batch/mapped.yaml";

@@ -99,4 +99,45 @@ TEST_CASE("the installed program runs by itself, and templates of every kind are
   CHECK(other.err.find("version") != std::string::npos);
 }
 
+TEST_CASE("the archive runs with its own libraries only, and gives the same bytes", "[slow]") {
+  const Folder folder;
+  const std::string build = fs::path(FLYROCK_BINARY).parent_path().parent_path().string();
+  const Output packed = shell(folder, "'" FLYROCK_SOURCE_DIR "/engine/archive.sh' '" + build + "' packed");
+  INFO(packed.out << packed.err);
+  REQUIRE(packed.code == 0);
+  CHECK(packed.err.empty());  // each library has its licence
+  REQUIRE(shell(folder,
+                "mkdir 'a place' && tar xzf packed/flyrock-*.tar.gz -C 'a place' --strip-components=1 && ln "
+                "-s 'a place/bin/flyrock' link && ln -s ../link 'a place/second'")
+              .code == 0);
+  // No library of the system, by the list that the loader itself gives.
+  const Output list =
+      shell(folder,
+            "cd 'a place' && libexec/flyrock --inhibit-cache --library-path \"$PWD/lib/system\" "
+            "--list lib/flyrock/program");
+  REQUIRE(list.code == 0);
+  std::istringstream lines(list.out);
+  int libraries = 0;
+  for (std::string line; std::getline(lines, line);) {
+    INFO(line);
+    if (line.find("linux-vdso") != std::string::npos) continue;
+    CHECK((line.find("/a place/") != std::string::npos || line.find("libexec/flyrock") != std::string::npos));
+    ++libraries;
+  }
+  CHECK(libraries > 5);
+  // By a link to a link, with a law in Lua and a shard, and for a cluster.
+  const std::string scenario =
+      std::string(FLYROCK_SOURCE_DIR) + "/scenarios/quarry/fence_design.yaml --trials 20 --quiet";
+  REQUIRE(call(folder, "run " + scenario + " -o here").code == 0);
+  const Output run = shell(folder, "'a place/second' run " + scenario + " -o there");
+  INFO(run.out << run.err);
+  REQUIRE(run.code == 0);
+  CHECK(read(folder.path() / "there/rocks.csv") == read(folder.path() / "here/rocks.csv"));
+  CHECK(shell(folder, "./link course own_law").code == 0);
+  CHECK(shell(folder, "./link submit " + std::string(FLYROCK_SOURCE_DIR) +
+                          "/scenarios/quarry/fence_design.yaml --slurm -n 2 -o jobs")
+            .code == 0);
+  CHECK(read(folder.path() / "jobs/array.sbatch").find("/a place/bin/flyrock' run ") != std::string::npos);
+}
+
 }  // namespace flyrock::install_test

@@ -15,6 +15,9 @@ TEST_CASE("new lists what there is, and each template of a plugin is a sound one
   REQUIRE(list.code == 0);
   CHECK(list.out.find("quarry/fence_design\n") != std::string::npos);
   CHECK(list.out.find("course/cradle\n") != std::string::npos);
+  // Of two scenarios of one name, that in Lua is taken by its ending.
+  CHECK(list.out.find("ninh_dan/benches_2d\nninh_dan/benches_2d.lua\n") != std::string::npos);
+  CHECK(call(folder, "new ninh_dan/benches_2d -o site").out.starts_with("site/benches_2d.yaml\n"));
   std::istringstream names(list.out);
   int templates = 0;
   for (std::string name; std::getline(names, name);) {
