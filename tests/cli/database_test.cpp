@@ -61,8 +61,10 @@ TEST_CASE("The database holds what the other tables hold, and every drawn number
               "x_m FROM trajectories GROUP BY point, trial, rock) p USING (point, trial, rock) "
               "WHERE start_s = 0 AND end_s - time_s BETWEEN 0.2 - 1e-9 AND 0.202 AND abs(x_m - stop_x_m) < "
               "1e-9") == std::vector<std::string>{"8"});
-  CHECK(query(db, "SELECT count(*) FROM trajectories") == query(db, "SELECT count(*) FROM trajectory_rows"));
-  CHECK(query(db, "SELECT count(*) FROM impacts") == query(db, "SELECT count(*) FROM impact_rows"));
+  // Both points have the same rows, which are stored once.
+  for (const auto& [view, rows] : {std::pair("trajectories", "trajectory_rows"), {"impacts", "impact_rows"}})
+    CHECK(query(db, std::string("SELECT count(*) FROM ") + view + " WHERE point = 1") ==
+          query(db, std::string("SELECT count(*) FROM ") + rows));
   // Envelopes: every rock passes the place where it starts, and somewhere the fastest is the fastest of all,
   // to 1 %.
   CHECK(query(db, "SELECT DISTINCT rocks FROM envelopes WHERE x_m <= 0 AND x_m + width_m > 0") ==
