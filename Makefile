@@ -120,7 +120,7 @@ golden: deps
 # Fits to measured sites in DATA (docs/validation.md); a site that is absent is SKIPPED.
 DATA := ../shared/data/field
 validation: build-bench
-	tests/validation/run.sh build/bench/bin/flyrock $(DATA)
+	tests/validation/run.py build/bench/bin/flyrock $(DATA)
 
 bench: build-bench
 	tests/bench/run.sh build/bench/bin

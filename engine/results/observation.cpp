@@ -71,6 +71,7 @@ class Comparing {
     find_way();
     distributions();
     bias();
+    count_censored();
     energies();
     bands();
     if (plan_.per == ObservedUnit::hole) throws();
@@ -115,13 +116,16 @@ class Comparing {
   }
 
   /// Of each row the mean of its rock less what was measured; else the difference of the two means.
-  std::pair<double, double> bias_of(double (Way::*component)(const Vec2&) const) const {
+  std::pair<double, double> bias_of(double (Way::*component)(const Vec2&) const, Censored censored) const {
+    const auto counts = [&](const SimulatedValue& value) {
+      return !value.censored || censored == Censored::at_their_end;
+    };
     std::vector<double> errors;
     if (plan_.is_paired()) {
       for (const std::size_t r : rows_) {
         std::vector<double> own;
         for (const SimulatedValue& value : simulated_.rows[r].values)
-          if (!value.censored) own.push_back((way_.*component)(value.value));
+          if (counts(value)) own.push_back((way_.*component)(value.value));
         if (!own.empty()) errors.push_back(SortedSample(own).mean() - (way_.*component)(all_[r]));
       }
       return mean_and_error(errors);
@@ -130,7 +134,7 @@ class Comparing {
     for (const Vec2& value : observed_) observed.push_back((way_.*component)(value));
     const std::vector<SimulatedValue>& values = simulated_.rows.front().values;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (!values[i].censored) {
+      if (counts(values[i])) {
         of_trial.push_back((way_.*component)(values[i].value));
         all.push_back(of_trial.back());
       }
@@ -143,8 +147,17 @@ class Comparing {
   }
 
   void bias() {
-    std::tie(result_.bias, result_.bias_error) = bias_of(&Way::at);
-    if (way_.is_of_places) std::tie(result_.across, result_.across_error) = bias_of(&Way::beside);
+    constexpr Censored left_out = Censored::left_out;
+    std::tie(result_.bias, result_.bias_error) = bias_of(&Way::at, left_out);
+    if (way_.is_of_places) std::tie(result_.across, result_.across_error) = bias_of(&Way::beside, left_out);
+  }
+
+  /// The scores of all rocks, also of those that would have gone on.
+  void count_censored() {
+    auto& scores = result_.with_censored;
+    std::tie(scores.bias, scores.bias_error) = bias_of(&Way::at, Censored::at_their_end);
+    const MisfitPool pool(simulated_rows(), way_.is_of_places, Censored::at_their_end);
+    scores.energy = pool.energy_of(observed_);
   }
 
   void energies() {
@@ -276,9 +289,11 @@ std::string observation_text(const ObservedPlan& plan, const ObservationSummary&
   if (summary.throws && summary.throws->blasts > 0) text += " " + throws_text(*summary.throws);
   if (summary.censored > 0)
     text += fmt::format(
-        " {} rocks of the model left the domain or still moved: they are in none of these "
-        "numbers.",
-        summary.censored);
+        " {} rocks of the model left the domain or still moved: they are in none of these numbers. Counted "
+        "where they were last seen, the model is {} m {} (standard error {} m) and its energy distance {} m.",
+        summary.censored, three_digits(std::abs(summary.with_censored.bias)),
+        summary.with_censored.bias < 0 ? "short" : "far", three_digits(summary.with_censored.bias_error),
+        three_digits(summary.with_censored.energy));
   return text;
 }
 

@@ -30,7 +30,7 @@ struct ObservedRock {
 struct ObservationSummary {
   std::size_t rows = 0;          ///< measured
   std::uint64_t values = 0;      ///< of the model, of rocks that came to rest
-  std::uint64_t censored = 0;    ///< rocks that left the domain or still moved: in no number below
+  std::uint64_t censored = 0;    ///< rocks that left the domain or still moved: only in `with_censored`
   std::uint64_t lost = 0;        ///< rocks that failed
   bool is_paired = false;        ///< each row has a rock of its own
   bool has_scatter = true;       ///< trials differ
@@ -38,6 +38,11 @@ struct ObservationSummary {
   double bias = unknown, bias_error = unknown;      ///< model - observed, with its standard error
   double across = unknown, across_error = unknown;  ///< of places: the bias to the left of the way
   double energy = unknown;
+  /// The same with censored rocks, which count where they were last seen, as in a fit. Their distances are
+  /// lower bounds, so a bias of distances is one too.
+  struct WithCensored {
+    double bias = unknown, bias_error = unknown, energy = unknown;
+  } with_censored;
   double energy_noise = unknown, energy_noise_p90 = unknown;  ///< of as many draws of the model itself
   std::size_t inside = 0, with_band = 0;  ///< rows inside their own 90 % band, of those that have one
   Interval inside_interval;               ///< of the share, exact, 95 %

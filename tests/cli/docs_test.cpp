@@ -268,7 +268,7 @@ TEST_CASE("No page, manifest or scenario takes a distance model on its own for w
       CHECK(text.find("docs/which-model.md") != std::string::npos);
       ++with_clearance;
     }
-  CHECK(with_clearance == 4);
+  CHECK(with_clearance == 5);
   for (const std::string& model : models)
     CHECK(read(source / "plugins/velocity" / model / "plugin.lua").find("No distance for people") !=
           std::string::npos);

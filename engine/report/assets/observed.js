@@ -29,10 +29,11 @@ function observed_scores(observed) {
   const with_error = (value, error) => (value === null ? "–" : `${show(value)} ± ${show(error)}`);
   const inside = observed.inside_90;
   const rows = [
-    ["rows measured", observed.rows], [{ rock: `rocks of the model that ${ends_at_landing ? "landed" : "came to rest"}`, blast: "blasts of the model, each with its farthest rock", hole: "blasts of the model: one a row and trial, with its farthest rock" }[observed.per] ?? "values of the model", observed.values], ["left the domain or still moved (in no other number)", observed.censored], ["failed", observed.lost],
+    ["rows measured", observed.rows], [{ rock: `rocks of the model that ${ends_at_landing ? "landed" : "came to rest"}`, blast: "blasts of the model, each with its farthest rock", hole: "blasts of the model: one a row and trial, with its farthest rock" }[observed.per] ?? "values of the model", observed.values], ["left the domain or still moved (in no other number but those that name them)", observed.censored], ["failed", observed.lost],
     ["bias: model − measured, m", right(with_error(observed.bias, observed.bias_error))],
     ...(observed.across === null ? [] : [["bias across the way, m", right(with_error(observed.across, observed.across_error))]]),
     ["energy distance, m", observed.energy_distance],
+    ...(observed.censored === 0 ? [] : [["bias with those that left, where last seen, m", right(with_error(observed.with_censored.bias, observed.with_censored.bias_error))], ["energy distance with those that left, where last seen, m", observed.with_censored.energy_distance]]),
     ["energy distance of as many draws of the model, m", right(observed.scatter ? `${show(observed.energy_noise)}, 90 % below ${show(observed.energy_noise_p90)}` : "no scatter")],
     ["energy distance of the best constant, m", right(`${show(observed.constant.energy_distance)} (${show(observed.constant.value)} m)`)],
     ["rows inside their own 90 % band", right(inside.of === 0 ? "–" : `${inside.rows} of ${inside.of} (${with_interval(inside.share, inside.interval)})`)],

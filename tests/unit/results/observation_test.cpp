@@ -71,7 +71,7 @@ TEST_CASE("a model that is 4 m far has that bias, and an energy distance above i
   CHECK(observation_text(plan, summary).find(" far (") != std::string::npos);
 }
 
-TEST_CASE("rocks that left are counted apart and are in no other number") {
+TEST_CASE("rocks that left are counted apart; with them the scores count where they were last seen") {
   auto [plan, simulated] = sample(20);
   const ObservationSummary before = compare(plan, simulated, 1);
   for (SimulatedRow& row : simulated.rows) row.values.push_back({trials, {1e4, 0}, true});
@@ -79,6 +79,13 @@ TEST_CASE("rocks that left are counted apart and are in no other number") {
   CHECK(after.censored == 20);
   CHECK(after.energy == before.energy);
   CHECK(after.bias == before.bias);
+  CHECK(before.with_censored.bias == before.bias);
+  CHECK(before.with_censored.energy == before.energy);
+  // One of 301 trials is 9980 m farther.
+  CHECK(after.with_censored.bias == Approx(before.bias + 9970 / (trials + 1.0)).margin(0.2));
+  CHECK(after.with_censored.energy > 10 * after.energy);
+  CHECK(observation_text(plan, after).find("Counted where they were last seen, the model is 33") !=
+        std::string::npos);
   CHECK(after.rocks.front().censored == 1);
 }
 
