@@ -57,20 +57,6 @@ Json numbers_data() {
   return numbers;
 }
 
-/// The mean x of the releases.
-class MeanRelease {
- public:
-  void add(const RockRecord& rock) {
-    if (weight_ == 0) first_ = rock.start_x;
-    sum_ += rock.weight * (rock.start_x - first_);  // national coordinates lose digits in a sum
-    weight_ += rock.weight;
-  }
-  double x() const { return weight_ > 0 ? first_ + sum_ / weight_ : unknown; }
-
- private:
-  double first_ = 0, sum_ = 0, weight_ = 0;
-};
-
 Json bodies_data(const Scenario& scenario, const TrialTotals& totals) {
   Json list = Json::array();
   for (std::size_t b = 0; b < totals.bodies.size() && b < scenario.bodies.size(); ++b) {
@@ -199,6 +185,19 @@ class ReportData::Runouts : public RowReader {
   }
 
  private:
+  /// The mean x of the releases.
+  class MeanRelease {
+   public:
+    void add(const RockRecord& rock) {
+      if (weight_ == 0) first_ = rock.start_x;
+      sum_ += rock.weight * (rock.start_x - first_);  // national coordinates lose digits in a sum
+      weight_ += rock.weight;
+    }
+    double x() const { return weight_ > 0 ? first_ + sum_ / weight_ : unknown; }
+
+   private:
+    double first_ = 0, sum_ = 0, weight_ = 0;
+  };
   struct Group {
     RunoutData distribution;
     Convergence convergence;
