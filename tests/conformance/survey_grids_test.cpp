@@ -173,7 +173,7 @@ TEST_CASE("a grid may end without a line end, after a word of 256 letters it may
 TEST_CASE("a grid of UTF-16 is refused with the cure") {
   std::string wide = "\xFF\xFE";
   for (const char c : std::string("ncols 2\n")) wide += {c, '\0'};
-  CHECK(grid_error(wide) == ":1:1: the text is UTF-16: save the file as UTF-8 or ASCII");
+  CHECK(grid_error(wide) == "1:1: the text is UTF-16: save the file as UTF-8 or ASCII");
 }
 
 TEST_CASE("cells count as squares to 1e-4, others are refused with the command that resamples") {
