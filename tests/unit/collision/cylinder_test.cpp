@@ -8,8 +8,8 @@
 
 #include "collision/ground/terrain_3d.h"
 #include "collision/pairs.h"
-#include "collision/smooth/gjk.h"
 #include "collision/smooth/facing_pair.h"
+#include "collision/smooth/gjk.h"
 #include "geometry/cone.h"
 #include "geometry/hull.h"
 #include "indexed.h"
