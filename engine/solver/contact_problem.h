@@ -98,6 +98,12 @@ struct ContactProblem {
     for (int column = 0; column < width_; ++column)
       for (int row = 0; row < width_; ++row) blocks_.push_back(w(row, column));
   }
+  /// Adds the block of coupling k of another problem of this width.
+  void couple_as(const ContactProblem& other, int k, int b) {
+    const auto size = static_cast<std::ptrdiff_t>(width_) * width_;
+    other_.push_back(b);
+    blocks_.insert(blocks_.end(), other.blocks_.begin() + k * size, other.blocks_.begin() + (k + 1) * size);
+  }
   /// Multiplies the couplings of contact `a` to others by a factor, in one row of `a`.
   void scale_couplings(int a, int row, double factor) {
     for (int k = first[a]; k < first[a + 1]; ++k)

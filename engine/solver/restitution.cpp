@@ -160,6 +160,7 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
       const SolveResult expansion = expand(problem, settings, r);
       result.converged = result.converged && expansion.converged;
       result.iterations += expansion.iterations;
+      result.work += expansion.work;
       if (expansion.residual > result.residual || !expansion.converged)
         result.residual = expansion.residual, result.worst_contact = expansion.worst_contact;
       imbalance = adjust_factors(problem, rebounds, r);

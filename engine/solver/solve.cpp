@@ -52,7 +52,51 @@ Solver<D>::~Solver() = default;
 template <int D>
 SolveResult Solver<D>::solve(const ContactProblem<D>& problem, const SolveSettings& settings,
                              std::vector<Row>& r) {
-  if (settings.to_rounding) {
+  // The merit is one number of the whole problem.
+  if (settings.measure == ErrorMeasure::step && problem.size() > 1) {
+    islands_.find(problem);
+    if (islands_.count() > 1) return solve_islands(problem, settings, r);
+  }
+  return solve_whole(problem, settings, r);
+}
+
+template <int D>
+SolveResult Solver<D>::solve_islands(const ContactProblem<D>& problem, const SolveSettings& settings,
+                                     std::vector<Row>& r) {
+  SolveResult all;
+  all.converged = true;
+  for (int i = 0; i < islands_.count(); ++i) {
+    const std::span<const int> contacts = islands_.contacts(i);
+    islands_.extract(problem, i, island_);
+    of_island_.clear();
+    for (const int a : contacts) of_island_.push_back(r[a]);
+    const SolveResult found = solve_whole(island_, settings, of_island_);
+    for (std::size_t k = 0; k < contacts.size(); ++k) r[contacts[k]] = of_island_[k];
+    // An island that failed counts as worse than any that did not.
+    const bool is_worse = found.converged == all.converged ? found.residual > all.residual : !found.converged;
+    if (i == 0 || is_worse) all.residual = found.residual, all.worst_contact = contacts[found.worst_contact];
+    all.converged = all.converged && found.converged;
+    all.iterations = std::max(all.iterations, found.iterations);
+    all.work += found.work;
+    if (found.solver == SolverKind::proximal_newton) all.solver = found.solver;
+  }
+  return all;
+}
+
+template <int D>
+SolveResult Solver<D>::solve_whole(const ContactProblem<D>& problem, const SolveSettings& settings,
+                                   std::vector<Row>& r) {
+  constexpr std::uint64_t of_sweep = 2, of_factorisation = 30;  // for each contact
+  SolveResult result = solve_by_kind(problem, settings, r);
+  result.work = static_cast<std::uint64_t>(result.iterations) * problem.contacts.size() *
+                (result.solver == SolverKind::proximal_newton ? of_factorisation : of_sweep);
+  return result;
+}
+
+template <int D>
+SolveResult Solver<D>::solve_by_kind(const ContactProblem<D>& problem, const SolveSettings& settings,
+                                     std::vector<Row>& r) {
+  if (settings.to_rounding && problem.size() <= few_contacts) {
     const SolveResult result = refine(problem, settings, r);
     if (result.converged) return result;
   }

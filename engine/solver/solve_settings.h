@@ -29,24 +29,19 @@ struct SolveSettings {
   int max_iterations = 1000;  ///< sweeps of NLGS, or factorisations of the second solver
   ErrorMeasure measure = ErrorMeasure::step;
   SolverKind solver = SolverKind::automatic;
-  bool to_rounding =
-      false;  ///< continue below the tolerance, as long as sweeps help, until only rounding is left
+  /// Few contacts: continue below the tolerance, as long as sweeps help, until only rounding is left.
+  bool to_rounding = false;
 };
 
 /// How a solve ended.
 struct SolveResult {
   bool converged = false;
-  int iterations = 0;
+  int iterations = 0;      ///< of islands that are solved apart, those of the slowest
   double residual = 0;     ///< the largest local error [m/s], or |F| / |q|, depending on the measure
   int worst_contact = -1;  ///< where the error is largest
   SolverKind solver = SolverKind::nlgs;  ///< the solver that gave the answer
 
-  static constexpr std::uint64_t of_sweep = 2;           ///< units of work (flight/jam.h)
-  static constexpr std::uint64_t of_factorisation = 30;  ///< the same in a step of the second solver
-  std::uint64_t work_of_a_contact() const {
-    return static_cast<std::uint64_t>(iterations) *
-           (solver == SolverKind::proximal_newton ? of_factorisation : of_sweep);
-  }
+  std::uint64_t work = 0;  ///< in the units of flight/jam.h
 };
 
 /// "auto", "nlgs", "proximal_newton".

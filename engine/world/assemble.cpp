@@ -240,38 +240,22 @@ void World<D>::couple() {
   problem_.first.push_back(problem_.couplings());
 }
 
-/// The body that represents the island of a body.
-template <int D>
-int World<D>::island_of(int body) {
-  while (island_[body] != body) body = island_[body] = island_[island_[body]];
-  return body;
-}
-
-template <int D>
-int World<D>::island_of(const Contact& contact) {
-  return island_of(bodies[contact.candidate].moves() ? contact.candidate : contact.antagonist);
-}
-
 /// Sets the speed_scale of each contact, to which its tolerance is relative: the larger of g h (chosen steps:
 /// g x 1 ms at most) and the fastest approach in its island of touching bodies.
 template <int D>
 void World<D>::scale_by_island(double h) {
-  island_.resize(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) island_[i] = static_cast<int>(i);
-  for (const Contact& c : contacts_)
-    if (c.antagonist >= 0 && bodies[c.candidate].moves() && bodies[c.antagonist].moves())
-      island_[island_of(c.candidate)] = island_of(c.antagonist);
   // A long step must be as accurate as a short one, because a residual is a velocity error that acts for the
   // whole step. Therefore a chosen step longer than settings_.time_step counts as that long.
   double spell = h > 0 ? h : settings_.time_step;
   if (chooses_steps()) spell = std::min(spell, settings_.time_step);
-  island_speed_.assign(bodies.size(), g_ * spell);
-  for (const Contact& c : contacts_) {
-    double& speed = island_speed_[island_of(c)];
-    speed = std::max(speed, c.approach());
+  islands_.find(problem_);
+  island_speed_.assign(islands_.count(), g_ * spell);
+  for (std::size_t a = 0; a < contacts_.size(); ++a) {
+    double& speed = island_speed_[islands_.of(a)];
+    speed = std::max(speed, contacts_[a].approach());
   }
   for (std::size_t a = 0; a < contacts_.size(); ++a)
-    problem_.contacts[a].speed_scale = island_speed_[island_of(contacts_[a])];
+    problem_.contacts[a].speed_scale = island_speed_[islands_.of(a)];
 }
 
 #define FLYROCK_INSTANTIATE(D)                                                               \
@@ -282,8 +266,6 @@ void World<D>::scale_by_island(double h) {
   template World<D>::Turning World<D>::turning_of(const Contact&, double, double) const;     \
   template void World<D>::measure_before(double);                                            \
   template void World<D>::assemble(double, bool);                                            \
-  template int World<D>::island_of(int);                                                     \
-  template int World<D>::island_of(const Contact&);                                          \
   template void World<D>::scale_by_island(double)
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);

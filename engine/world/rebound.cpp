@@ -52,7 +52,7 @@ void World<D>::apply_spring(int a, double h) {
   set_spring<D>(spring, overlap, stretch, h, problem_, a, rebounds_[a]);
 }
 
-/// Problems of a few contacts are solved to rounding. The residual of an impact would turn a body that should
+/// Islands of a few contacts are solved to rounding. The residual of an impact would turn a body that should
 /// land flat, and its corners would then arrive one after the other.
 template <int D>
 void World<D>::solve_and_apply() {
@@ -60,14 +60,14 @@ void World<D>::solve_and_apply() {
   if (on_hard_problem) start_ = impulses_;
   SolveSettings wanted;
   wanted.tolerance = settings_.tolerance;
-  wanted.to_rounding = static_cast<int>(contacts_.size()) <= few_contacts;
+  wanted.to_rounding = true;
   wanted.max_iterations = settings_.max_iterations;
   wanted.solver = settings_.solver;
   const SolveResult result = last_solve_ = solver_.solve(problem_, rebounds_, wanted, impulses_);
   pressed_.clear();
   ++quality_.problems;
   quality_.iterations += result.iterations;
-  solver_work_ += result.work_of_a_contact() * contacts_.size();
+  solver_work_ += result.work;
   if (!result.converged) {
     ++quality_.not_converged;
     if (on_hard_problem) on_hard_problem(problem_, start_);
@@ -127,16 +127,16 @@ double World<D>::energy_of(int a) const {
 template <int D>
 void World<D>::find_shocks(double h) {
   constexpr double usual = 20;  // times the change by gravity; friction on a round body reaches 4 at mu = 1
-  island_collides_.assign(bodies.size(), false);
+  island_collides_.assign(islands_.count(), false);
   int manifolds = 0;
-  for (const Contact& c : contacts_) {
-    if (c.manifold >= 0) island_collides_[island_of(c)] = true;
-    manifolds = std::max(manifolds, c.manifold + 1);
+  for (std::size_t a = 0; a < contacts_.size(); ++a) {
+    if (contacts_[a].manifold >= 0) island_collides_[islands_.of(a)] = true;
+    manifolds = std::max(manifolds, contacts_[a].manifold + 1);
   }
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     Contact& contact = contacts_[a];
     const Body<D>& body = bodies[contact.candidate];
-    if (island_collides_[island_of(contact)] || contact.law.condition == NormalCondition::penalty) continue;
+    if (island_collides_[islands_.of(a)] || contact.law.condition == NormalCondition::penalty) continue;
     const double forces = (g_ + body.push.norm()) * h;
     if ((after_[a] - contact.before).template head<D>().norm() <= settings_.rest_speed + usual * forces)
       continue;
@@ -220,14 +220,14 @@ double World<D>::work_of_driven(int a, double h) const {
 template <int D>
 void World<D>::audit_energy(double h) {
   constexpr double error_of_turning = 0.1;
-  island_gain_.assign(bodies.size(), 0.0);
+  island_gain_.assign(islands_.count(), 0.0);
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
     energy_given_ += work_of_driven(a, h);
     energy_in_doubt_ += error_of_turning * h * contacts_[a].impulse.template head<D>().norm() *
                         contacts_[a].turning.template head<D>().norm();
     const Contact& contact = contacts_[a];
     if (contact.law.condition != NormalCondition::penalty) {
-      if (h == 0) island_gain_[island_of(contact)] += energy_of(a);
+      if (h == 0) island_gain_[islands_.of(a)] += energy_of(a);
     } else {
       const Spring& spring = contact.law.spring;
       const double overlap = std::max(0.0, -contact.at.gap), speed = contact.before.template head<D>().norm();
@@ -256,7 +256,7 @@ void World<D>::audit_energy(double h) {
     }
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
     const Contact& contact = contacts_[a];
-    double& gain = island_gain_[island_of(contact)];
+    double& gain = island_gain_[islands_.of(a)];
     // A spring only returns the energy that it stored.
     if (contact.law.condition != NormalCondition::penalty) gain += energy_of(a);
     gain -= contact.impulse.template head<D>().norm() *

@@ -247,8 +247,6 @@ class World {
   template <int N>
   void couple();
   void scale_by_island(double h);
-  int island_of(int body);
-  int island_of(const Contact& contact);
 
   // rebound.cpp: solves the friction problem with restitution and applies the impulses to the bodies; records
   // impacts and audits the energy
@@ -332,7 +330,7 @@ class World {
   std::vector<Row> last_after_;                ///< of last_, while a step may still be given up
   std::vector<Row> start_;                     ///< start impulses, kept only if hard problems are reported
   std::vector<std::vector<int>> contacts_of_;  ///< [body], for bodies that contacts move
-  std::vector<int> island_;
+  Islands<D> islands_;
   std::vector<double> island_speed_;
   std::vector<double> island_gain_;  ///< J, energy that an island gains, minus what rounding allows
   /// rad/s2, of each body: the change of its spin by contacts in the last step; empty: unknown, taken as zero
