@@ -178,4 +178,48 @@ void HeldPieces::add_piece(int piece) {
   pieces_[piece].whole = true;
 }
 
+HeldPair::HeldPair(const Moving3& a, const Moving3& b, const TouchSearch& search)
+    : a_(a), b_(b), search_(search), of_a_(a.shape), of_b_(b.shape), are_solved_(search.held_are_solved) {
+  if (!b.facet)
+    for (const HeldContact& h : search.held)
+      if (contactor_of(h.feature) == a.index && contactor_of(h.against) == b.index) {
+        of_b_.add(feature_of(h.against));
+        add(h);
+      }
+  for (const HeldOnGround& h : b.held) {
+    if (contactor_of(h.feature) != a.index) continue;
+    const bool in_plane = is_in_plane(h, *b.facet, search.size);
+    bool of_facet = in_plane;
+    for (int j = 0; j < pieces_of(b.shape); ++j)
+      if (in_plane || h.contains(b.facet->vertex[j])) {
+        of_b_.add_piece(j);
+        of_facet = true;
+      }
+    if (of_facet) add(h);
+    in_plane_ = in_plane_ || in_plane;
+  }
+}
+
+template <class Contact>
+void HeldPair::add(const Contact& contact) {
+  of_a_.add(feature_of(contact.feature));
+  are_solved_ = are_solved_ && !contact.opened;
+  yields_ = yields_ || contact.yields;
+  any_ = true;
+}
+
+bool HeldPair::has_face_of_a(int face) const {
+  const FeatureId feature = feature_id(a_.index, FeatureKind::face, face);
+  const auto is_of = [&](const auto& h) { return h.feature == feature; };
+  return b_.facet ? std::any_of(b_.held.begin(), b_.held.end(), is_of)
+                  : std::any_of(search_.held.begin(), search_.held.end(), is_of);
+}
+
+bool HeldPair::has_face_of_b(int face) const {
+  if (b_.facet) return in_plane_;
+  const FeatureId feature = feature_id(b_.index, FeatureKind::face, face);
+  return std::any_of(search_.held.begin(), search_.held.end(),
+                     [&](const HeldContact& h) { return h.against == feature; });
+}
+
 }  // namespace flyrock

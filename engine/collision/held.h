@@ -84,4 +84,34 @@ class HeldPieces {
   boost::container::small_vector<Piece, 8> pieces_;
 };
 
+/// What holds two contactors of which one has circles, as a whole: contacts of the two bodies, or of a with
+/// the feature of the ground that b belongs to.
+class HeldPair {
+ public:
+  HeldPair(const Moving3& a, const Moving3& b, const TouchSearch& search);
+
+  bool any() const { return any_; }
+  /// A contact is in the plane of b, a facet.
+  bool in_plane() const { return in_plane_; }
+  /// The contacts are solved in the step: none has just opened.
+  bool are_solved() const { return are_solved_; }
+  /// A contact is a spring.
+  bool yields() const { return yields_; }
+  const HeldPieces& of_a() const { return of_a_; }
+  const HeldPieces& of_b() const { return of_b_; }
+  /// Whether a face or cap has a contact. That of a facet has one if a contact is in its plane.
+  bool has_face_of_a(int face) const;
+  bool has_face_of_b(int face) const;
+
+ private:
+  template <class Contact>
+  void add(const Contact& contact);
+
+  const Moving3& a_;
+  const Moving3& b_;
+  const TouchSearch& search_;
+  HeldPieces of_a_, of_b_;
+  bool any_ = false, in_plane_ = false, are_solved_, yields_ = false;
+};
+
 }  // namespace flyrock

@@ -11,6 +11,10 @@
 
 namespace flyrock {
 
+/// Two edges, or an edge and a rim, that penetrate by more than this share of the size are not the nearest
+/// features any more.
+inline constexpr double deepest_share = 0.05;
+
 /// The facets near a contactor. The box is that of the contactor and its reach.
 struct GroundNearby {
   const Ground3& ground;

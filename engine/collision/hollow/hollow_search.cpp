@@ -41,16 +41,7 @@ double outside_for(double away, double speed, double size, double left) {
 class HollowSearch2 {
  public:
   HollowSearch2(const Moving2& other, const Moving2& hollow, double end, const TouchSearch& search)
-      : other_(other),
-        hollow_(hollow),
-        end_(end),
-        search_(search),
-        scale_(search.size),
-        held_(other.shape.points.size(), false) {
-    for (const HeldContact& h : search.held)
-      if (contactor_of(h.against) == hollow.index && contactor_of(h.feature) == other.index)
-        held_[index_2d(h.feature)] = true;
-  }
+      : other_(other), hollow_(hollow), end_(end), search_(search), scale_(search.size) {}
 
   std::array<double, 5> clearance() const { return {-1, 0, 0, 0, 0}; }
 
@@ -72,15 +63,16 @@ class HollowSearch2 {
       return outside_for(-wall.gap(at), velocity.norm() + pull * left + w_max * middle.norm() + fastest,
                          search_.size, left);
     double least = forever;
-    for (std::size_t i = 0; i < other_.shape.points.size(); ++i) {
-      if (held_[i] && search_.held_are_solved) continue;
+    for (int i = 0; i < static_cast<int>(other_.shape.points.size()); ++i) {
+      const bool held = holds(i);
+      if (held && search_.held_are_solved) continue;
       const Vec2 arm = r * other_.shape.points[i], place = away + arm, rate = velocity + cross(w, arm);
       const double bend = closing + pull + (w_max * w_max + std::abs(other_.motion.alpha)) * arm.norm();
       const auto gap = [&](double time) {
         return wall.gap(place + time * rate) - (other_.shape.radius + of_other.at(t)) + time * opens +
                search_.slack - 0.5 * time * time * bend;
       };
-      const bool opened = held_[i] && t == 0;
+      const bool opened = held && t == 0;
       if (!opened && gap(0.0) < -scale_.deep) {
         const double fast = velocity.norm() + pull * left + w_max * arm.norm() + fastest;
         least = std::min(least, outside_for(-gap(0.0), fast, search_.size, left));
@@ -93,11 +85,18 @@ class HollowSearch2 {
   }
 
  private:
+  /// Whether a point has a contact with the wall.
+  bool holds(int point) const {
+    return std::any_of(search_.held.begin(), search_.held.end(), [&](const HeldContact& h) {
+      return contactor_of(h.against) == hollow_.index && contactor_of(h.feature) == other_.index &&
+             index_2d(h.feature) == point;
+    });
+  }
+
   const Moving2 &other_, &hollow_;
   double end_;
   const TouchSearch& search_;
   GapScale scale_;
-  std::vector<bool> held_;  ///< of each point
 };
 
 /// The search with a hollow cylinder or a half space.

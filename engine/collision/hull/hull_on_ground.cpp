@@ -12,9 +12,6 @@ namespace {
 // A polyhedron lies flush on a facet, up to this angle [rad], when the end of the facet holds it.
 constexpr double flush = 1e-4;
 
-// Two edges that penetrate by more than this share of the size are not the nearest features any more.
-constexpr double deepest_share = 0.05;
-
 class RimContacts {
  public:
   RimContacts(Workspace& work, const Placed3& polyhedron, const Box3& box, double reach, double slack,

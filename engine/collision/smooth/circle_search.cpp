@@ -31,13 +31,9 @@ class CircleSearch {
         scale_(search.size),
         axis_a_(a),
         axis_b_(b),
-        held_a_(a.shape),
-        held_b_(b.shape),
-        are_solved_(search.held_are_solved),
+        held_(a, b, search),
         of_a_(work.heights_a),
-        of_b_(work.heights_b) {
-    find_held();
-  }
+        of_b_(work.heights_b) {}
 
   std::array<double, 5> clearance() const { return ball_clearance(a_, b_, search_); }
 
@@ -80,35 +76,6 @@ class CircleSearch {
         -1;  ///< of the contactor with which it turns: the face or cap that it is the normal of; -1: none
   };
 
-  /// What holds the pair: contacts of the two bodies, or of a with the feature of the ground that b belongs
-  /// to.
-  void find_held() {
-    const auto note = [&](const auto& h) {
-      held_a_.add(feature_of(h.feature));
-      are_solved_ = are_solved_ && !h.opened;
-      yields_ = yields_ || h.yields;
-      holds_ = true;
-    };
-    if (!b_.facet)
-      for (const HeldContact& h : search_.held)
-        if (contactor_of(h.feature) == a_.index && contactor_of(h.against) == b_.index) {
-          held_b_.add(feature_of(h.against));
-          note(h);
-        }
-    for (const HeldOnGround& h : b_.held) {
-      if (contactor_of(h.feature) != a_.index) continue;
-      const bool in_plane = is_in_plane(h, *b_.facet, search_.size);
-      bool of_facet = in_plane;
-      for (int j = 0; j < pieces_of(b_.shape); ++j)
-        if (in_plane || h.contains(b_.facet->vertex[j])) {
-          held_b_.add_piece(j);
-          of_facet = true;
-        }
-      if (of_facet) note(h);
-      holds_plane_ = holds_plane_ || in_plane;
-    }
-  }
-
   static Direction with_a(const Vec3& normal, const MovingState& sa, int face = -1) {
     return {TurningNormal::with(sa, normal), Direction::Turns::with_a, face};
   }
@@ -142,17 +109,9 @@ class CircleSearch {
   }
 
   /// Whether a direction stays the normal of a held contact while the bodies move: that of its face or cap.
-  bool is_exact(const Direction& d) const {
-    if (d.face < 0) return false;
-    if (b_.facet && d.turns == Direction::Turns::with_b) return holds_plane_;
-    const bool with_a = d.turns == Direction::Turns::with_a;
-    const Moving3& c = with_a ? a_ : b_;
-    const FeatureId face = feature_id(c.index, FeatureKind::face, d.face);
-    const auto is_of = [&](const auto& held) {
-      return std::any_of(held.begin(), held.end(),
-                         [&](const auto& h) { return (with_a ? h.feature : h.against) == face; });
-    };
-    return b_.facet ? is_of(b_.held) : is_of(search_.held);
+  bool holds_exactly(const Direction& d) const {
+    return d.face >= 0 &&
+           (d.turns == Direction::Turns::with_a ? held_.has_face_of_a(d.face) : held_.has_face_of_b(d.face));
   }
 
   /// How long a direction separates the pair from t on [s]. `sa`, `sb`: as AxisState gives them.
@@ -200,18 +159,18 @@ class CircleSearch {
       see(all, all, false);
       return least;
     }
-    const auto held_a = [&](int i) { return held_a_.has(i); };
-    const auto held_b = [&](int i) { return held_b_.has(i); };
+    const auto held_a = [&](int i) { return held_.of_a().has(i); };
+    const auto held_b = [&](int i) { return held_.of_b().has(i); };
     see([&](int i) { return !held_a(i); }, all, false);
     see(
         held_a, [&](int i) { return !held_b(i); }, false);
-    if (!are_solved_) {
+    if (!held_.are_solved()) {
       see(held_a, held_b, t == 0);
       return least;
     }
-    if (!yields_)
+    if (!held_.yields())
       see(held_a, held_b, false, may_sink(lowest(of_a_, held_a, 0) + lowest(of_b_, held_b, 0) + offset, t));
-    if (!is_exact(d)) {
+    if (!holds_exactly(d)) {
       constexpr double small = 1e-3;  // rad, by which the normal of the contact may drift from the direction
       const double rate = sa.w_max + sb.w_max + speed / std::min(search_.size, a_.shape.bound);
       if (rate > 0) least = std::min(least, within(small / rate, left, forever));
@@ -222,9 +181,9 @@ class CircleSearch {
     const Heights rims_a(d.normal, d.rate, body_a, sb.x, sb.v),
         rims_b(-d.normal, -d.rate, body_b, sb.x, sb.v);
     if (a_moves || d.face < 0)
-      quarter_turns(held_a_, first_a_, a_.shape, rims_a, turning, horizon, left, least);
+      quarter_turns(held_.of_a(), first_a_, a_.shape, rims_a, turning, horizon, left, least);
     if (b_moves || d.face < 0)
-      quarter_turns(held_b_, first_b_, b_.shape, rims_b, turning, horizon, left, least);
+      quarter_turns(held_.of_b(), first_b_, b_.shape, rims_b, turning, horizon, left, least);
     return least;
   }
 
@@ -253,9 +212,9 @@ class CircleSearch {
   /// contact has another normal.
   bool is_held_along(const Direction& d) const {
     constexpr double same_direction = 1 - 5e-7;  // cosine of 1e-3 rad
-    if (!holds_ || (d.face >= 0 && !is_exact(d))) return false;
-    if (b_.facet && d.face == 0 && d.turns == Direction::Turns::with_b && holds_plane_) return true;
-    return (touches_ || holds_plane_) && d.normal.dot(nearest_) > same_direction;
+    if (!held_.any() || (d.face >= 0 && !holds_exactly(d))) return false;
+    if (b_.facet && d.face == 0 && d.turns == Direction::Turns::with_b && held_.in_plane()) return true;
+    return (touches_ || held_.in_plane()) && d.normal.dot(nearest_) > same_direction;
   }
 
   const Moving3& a_;
@@ -264,10 +223,7 @@ class CircleSearch {
   const TouchSearch& search_;
   GapScale scale_;
   AxisState axis_a_, axis_b_;
-  HeldPieces held_a_, held_b_;
-  bool holds_ = false, holds_plane_ = false;
-  bool are_solved_;                        ///< held contacts are solved in the step: none has just opened
-  bool yields_ = false;                    ///< a held contact is a spring
+  HeldPair held_;
   Vec3 nearest_ = Vec3::Zero();            ///< the normal of the pair
   bool touches_ = false;                   ///< along it
   std::optional<double> sunk_since_;       ///< s, when held pieces were first met,

@@ -21,7 +21,7 @@ struct FacingPair {
 FacingPair facing_pair(const Placed3& a, const Placed3& b);
 
 /// The distance of two known features [m], by the same Newton steps from a normal near theirs: nothing where
-/// these do not end near it, or where a feature is plane.
+/// these do not end near it, where a feature is plane, or where `near` is zero: not known.
 std::optional<double> distance_of_features(const Placed3& a, FeatureId feature, const Placed3& b,
                                            FeatureId against, const Vec3& near);
 

@@ -35,7 +35,6 @@ class CircleRimContacts {
   /// Keeps the contacts with a piece of the ground whose normals are in its cone.
   template <class InCone>
   void meet(const Placed3& piece, FeatureId against, const InCone& in_cone) {
-    constexpr double deepest_share = 0.05;  // as in hull_on_ground.cpp
     Contacts<3>& found = work_.found;
     found.clear();
     smooth_contacts(work_, shape_, piece, reach_, 0, found);
