@@ -154,18 +154,24 @@ void World<D>::measure_before(double h) {
     contact.before = relative_velocity(contact);
     contact.turning.setZero();
     contact.lasts = false;
-    if (contact.approach() <= settings_.rest_speed) continue;
-    touching_[contact.candidate] = true;
-    if (contact.antagonist >= 0) touching_[contact.antagonist] = true;
-  }
-  if (h == 0) return;
-  for (Contact& contact : contacts_) {
-    if (touching_[contact.candidate] || (contact.antagonist >= 0 && touching_[contact.antagonist])) continue;
+    if (h == 0) continue;
     Turning turning = turning_of(contact, 0, h);
     if (turning.bends && !gains_.empty()) turning = turning_of(contact, late * h, h);
     contact.turning = turning.rate;
     contact.lasts = turning.lasts;
     contact.before -= (1 - settings_.theta) * h * contact.turning;
+    // By the corrected velocity: a contact of a body that spins fast only seems to close in the middle.
+    if (contact.approach() <= settings_.rest_speed) continue;
+    touching_[contact.candidate] = true;
+    if (contact.antagonist >= 0) touching_[contact.antagonist] = true;
+  }
+  for (Contact& contact : contacts_) {
+    const bool collides =
+        touching_[contact.candidate] || (contact.antagonist >= 0 && touching_[contact.antagonist]);
+    if (h == 0 || !collides) continue;
+    contact.before += (1 - settings_.theta) * h * contact.turning;
+    contact.turning.setZero();
+    contact.lasts = false;
   }
 }
 
