@@ -71,13 +71,16 @@ class Runner {
         break;
       }
       const double before = world_.time;
-      in_contact = settings_.exact_flight && !in_contact && !breathes_ ? fly() : step();
+      const bool flies = settings_.exact_flight && !in_contact && !breathes_;
+      in_contact = flies ? fly() : step();
       look_for_jam();
       end_bodies();
       // Bodies in contact touch again and again and time does not advance: advance by one short step that
-      // ignores new impacts of pairs in contact; if time still does not advance, ignore all impacts.
+      // ignores new impacts of pairs in contact; if time still does not advance, ignore all impacts. A flight
+      // that ends at a touch without an impact will do so again.
+      const int patience = flies && world_.impacts().empty() ? 4 : 50;
       stalled_ = world_.time - before < 1e-9 * world_.settings().time_step ? stalled_ + 1 : 0;
-      if (stalled_ > 50) {
+      if (stalled_ > patience) {
         const double stuck = world_.time;
         in_contact = step(Touches::of_new_pairs);
         if (world_.time == stuck) in_contact = step(Touches::none);
@@ -322,11 +325,7 @@ class Runner {
     starts_.clear();
     flights_.clear();
     for (const Body<D>& body : world_.bodies) starts_.push_back(moment_of(body));
-    // Share of a step that ignores touches, so that its penetrations stay small
-    constexpr double blind = 0.1;
-    const double wanted = touches == Touches::all
-                              ? step_length()
-                              : blind * std::min(step_length(), world_.settings().time_step);
+    const double wanted = touches == Touches::all ? step_length() : blind_step();
     // The last step takes what rounding of the time would leave over. In so short a step, forces are noise.
     const double h = time_left() < wanted * (1 + 1e-9) ? time_left() : wanted;
     if (in_air_)
@@ -388,6 +387,20 @@ class Runner {
           std::min(crossings_[i].time_to_barrier(ahead), crossings_[i].time_to_tree(ahead, h));
       h = std::min(h, std::max(meets, 0.01 * chosen));
     }
+    return h;
+  }
+
+  /// The length of a step that ignores touches [s]: bodies sink by a small share of their size. If they touch
+  /// again at its end, the next one is twice as long, up to a tenth of a step.
+  double blind_step() {
+    constexpr double sinks = 1e-4, longest = 0.1;
+    const double most = longest * std::min(step_length(), world_.settings().time_step);
+    double h = most;
+    for (const Body<D>& body : world_.bodies)
+      if (body.moves()) h = std::min(h, sinks * body.size / (body.v.norm() + body.size * body.spin_speed()));
+    if (world_.time - blind_until_ <= blind_) h = std::min(most, std::max(h, 2 * blind_));
+    blind_ = h;
+    blind_until_ = world_.time + h;
     return h;
   }
 
@@ -481,6 +494,7 @@ class Runner {
   bool has_outlines_ = false;
   std::vector<std::array<Vec<D>, 2>> accelerations_;  ///< accelerations by the air in the current leg
   std::vector<int> parts_;                            ///< of one body near the ground
+  double blind_ = 0, blind_until_ = 0;                ///< s, the last step that ignored touches and its end
   int stalled_ = 0;
 };
 
