@@ -230,10 +230,15 @@ class DocumentDecoder {
       if (!plugin) continue;
       for (const FieldRead& read : plugin->spec.reads)
         if (const std::string missing = missing_field(read.field);
-            asks_for(read, *launch->value) && !missing.empty())
+            asks_for(read, *launch->value) && !missing.empty()) {
+          const std::optional<std::size_t> hole = only_hole_without(missing);
           context_.diagnostics.error(
-              launch->key_at, launch->path,
-              fmt::format("{} reads `blast.{}`, which {}", *type->text(), missing, who_lacks(missing)));
+              hole ? scenario_.blast->hole_places[*hole] : launch->key_at, launch->path,
+              fmt::format(
+                  "{} reads `blast.{}`, which {}", *type->text(), missing,
+                  hole ? fmt::format("hole {} does not have", scenario_.blast->pattern.measured[*hole].name)
+                       : "the scenario does not give"));
+        }
     }
   }
 
@@ -254,11 +259,13 @@ class DocumentDecoder {
       const bool needs_place = group.release->kind == ReleaseKind::collar ||
                                (group.release->kind == ReleaseKind::face && context_.dimension == 3);
       if (!needs_place) continue;
-      for (const Hole& hole : scenario_.blast->pattern.measured)
-        if (!hole.is_placed(context_.dimension)) {
-          items[g].error(context_.diagnostics,
-                         fmt::format("rocks leave from their hole, and hole {} has no {}", hole.name,
-                                     context_.dimension == 2 ? "`x`" : "`x` and `y`"));
+      const std::vector<Hole>& holes = scenario_.blast->pattern.measured;
+      for (std::size_t i = 0; i < holes.size(); ++i)
+        if (!holes[i].is_placed(context_.dimension)) {
+          context_.diagnostics.error(
+              scenario_.blast->hole_places[i], items[g].path,
+              fmt::format("rocks leave from their hole, and hole {} has no {}", holes[i].name,
+                          context_.dimension == 2 ? "`x`" : "`x` and `y`"));
           break;
         }
     }
@@ -272,15 +279,16 @@ class DocumentDecoder {
            std::find(read.choices.begin(), read.choices.end(), *chosen->text()) != read.choices.end();
   }
 
-  /// "the scenario does not give", or the first hole that has not got the field.
-  std::string who_lacks(const std::string& path) const {
-    if (!scenario_.blast || !scenario_.blast->has_holes()) return "the scenario does not give";
+  /// The first hole that has not got a field of the blast, where others have it.
+  std::optional<std::size_t> only_hole_without(const std::string& path) const {
+    if (!scenario_.blast) return std::nullopt;
     const auto info = std::find_if(blast_fields().begin(), blast_fields().end(),
                                    [&](const BlastFieldInfo& known) { return known.path == path; });
-    for (std::size_t i = 0; i < scenario_.blast->holes.size(); ++i)
-      if (std::isnan(scenario_.blast->holes[i][info->field]))
-        return fmt::format("hole {} does not have", scenario_.blast->pattern.measured[i].name);
-    return "the scenario does not give";
+    const std::vector<Blast>& holes = scenario_.blast->holes;
+    const auto lacks = [&](const Blast& hole) { return std::isnan(hole[info->field]); };
+    const auto first = std::find_if(holes.begin(), holes.end(), lacks);
+    if (first == holes.end() || std::all_of(holes.begin(), holes.end(), lacks)) return std::nullopt;
+    return static_cast<std::size_t>(first - holes.begin());
   }
 
   /// The path of a field that a manifest names and the scenario lacks; empty if there is none.
