@@ -19,7 +19,9 @@ std::string interval_text(const Interval& interval, double confidence, const cha
   if (std::isnan(interval.upper)) return fmt::format("{}from {}{} on", name, digits(interval.lower), unit);
   if (std::isnan(interval.lower) || interval.lower == 0)
     return fmt::format("{}up to {}{}", name, digits(interval.upper), unit);
-  return fmt::format("{}{} to {}{}", name, digits(interval.lower), digits(interval.upper), unit);
+  const std::string lower = digits(interval.lower), upper = digits(interval.upper);
+  if (lower == upper) return name + "narrower than the last digit";
+  return fmt::format("{}{} to {}{}", name, lower, upper, unit);
 }
 
 }  // namespace
