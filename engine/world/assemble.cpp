@@ -120,6 +120,7 @@ typename World<D>::Turning World<D>::turning_of(const Contact& contact, double a
       move(b, contact.antagonist, contact.at.against, contact.candidate, contact.at.feature, is_plane(a), -1);
   Turning turning;
   turning.rate = contact_velocity<D>(normal, change, Body<D>::no_spin());
+  turning.walks = a.rolls || b.rolls;
   if (contact.antagonist < 0 && is_plane(b)) return turning;  // a face of the ground keeps its normal
   const auto [normal_rate, over_a, over_b] = contact_motion(a, b, normal);
   Row bend;
@@ -157,11 +158,13 @@ void World<D>::measure_before(double h) {
     if (h == 0) continue;
     Turning turning = turning_of(contact, 0, h);
     if (turning.bends && !gains_.empty()) turning = turning_of(contact, late * h, h);
+    const double in_middle = contact.approach();
     contact.turning = turning.rate;
     contact.lasts = turning.lasts;
     contact.before -= (1 - settings_.theta) * h * contact.turning;
-    // By the corrected velocity: a contact of a body that spins fast only seems to close in the middle.
-    if (contact.approach() <= settings_.rest_speed) continue;
+    // By the corrected velocity, where it is exact: a contact of a body that spins fast only seems to close
+    // in the middle.
+    if ((turning.walks ? in_middle : contact.approach()) <= settings_.rest_speed) continue;
     touching_[contact.candidate] = true;
     if (contact.antagonist >= 0) touching_[contact.antagonist] = true;
   }

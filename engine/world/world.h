@@ -240,6 +240,7 @@ class World {
     Row rate = Row::Zero();  ///< m/s2, in the spin rows rad/s2
     bool bends = false;  ///< the normal turns or the contact walks, as velocities alone tell: not over a rim
     bool lasts = false;  ///< and it may go on for long: a round part, or a driven body
+    bool walks = false;  ///< the place walks around a rim or side: the rate is of first order only
   };
   Turning turning_of(const Contact& contact, double ahead, double h) const;
   void measure_before(double h);
