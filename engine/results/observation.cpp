@@ -272,14 +272,15 @@ std::string observation_text(const ObservedPlan& plan, const ObservationSummary&
   if (std::isnan(summary.energy))
     return "Compared with the measured rows: no rock of the model came to rest.";
   std::string text = fmt::format(
-      "Compared with {} measured row{} ({}): the model is {} m {} (standard error {} m); energy distance {} "
-      "m",
+      "Compared with {} measured row{} ({}): the model is {} m too {} on the mean (standard error {} m); "
+      "energy "
+      "distance {} m",
       summary.rows, summary.rows == 1 ? "" : "s", name_of(plan.of), three_digits(std::abs(summary.bias)),
       summary.bias < 0 ? "short" : "far", three_digits(summary.bias_error), three_digits(summary.energy));
   if (summary.has_scatter)
     text += fmt::format(", {} m where the model were true (90 % below {} m)",
                         three_digits(summary.energy_noise), three_digits(summary.energy_noise_p90));
-  text += fmt::format("; that of the constant {} m is {} m", three_digits(summary.constant),
+  text += fmt::format("; a constant of {} m has {} m", three_digits(summary.constant),
                       three_digits(summary.constant_energy));
   if (summary.with_band > 0)
     text += fmt::format("; {} of {} rows are inside their own 90 % band", summary.inside, summary.with_band);

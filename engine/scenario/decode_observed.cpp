@@ -122,6 +122,7 @@ class ObservedDecoder {
         group = static_cast<int>(g);
       }
     if (!with_table || groups_.size() > 1) return;
+    if (with_table->table->rocks.empty()) return;  // its faults are reported
     if (with_table->table->rocks.size() != plan_.rows.size()) {
       node_.error(context_.diagnostics,
                   fmt::format("has {} lines, and the table of rocks has {}; expected as many, or a column "

@@ -139,14 +139,22 @@ class RockTableDecoder {
     if (rock.lengths && rock.diameter)
       fail(table, row, "diameter", "has lengths and a diameter, expected one of them");
     const bool sized = rock.lengths || rock.diameter;
+    const bool is_sphere = plan_.form == RockForm::sphere;
+    if (plan_.form && !table.has("l1") && !table.has("diameter") && !(is_sphere && table.has("mass"))) {
+      if (row == 0)  // it holds for all rows
+        fail(group_,
+             "the table has no lengths for `from_lengths`: expected columns `l1`, `l2` and `l3`, or "
+             "`diameter`; "
+             "`form: sphere` can do with `mass`");
+      return;
+    }
     if (plan_.own_density && !(rock.mass && sized))
       fail(table, row, "mass", "needs a mass and lengths for `density: from_table`");
     if (plan_.own_density && !plan_.form)
       fail(group_, "`density: from_table` needs `shape: { type: from_lengths, form: ... }`");
-    if (plan_.form && !sized && (!rock.mass || *plan_.form != RockForm::sphere))
+    if (plan_.form && !sized && (!rock.mass || !is_sphere))
       fail(table, row, "l1",
-           fmt::format("has no lengths for `from_lengths`{}",
-                       *plan_.form == RockForm::sphere ? " and no mass" : ""));
+           fmt::format("has no lengths for `from_lengths`{}", is_sphere ? " and no mass" : ""));
     if (plan_.form && section_.given("mass"))
       fail(*group_.find("mass"), "needs another shape; with `from_lengths` give the `density`");
   }
