@@ -78,7 +78,7 @@ class Runner {
       // Bodies in contact touch again and again and time does not advance: advance by one short step that
       // ignores new impacts of pairs in contact; if time still does not advance, ignore all impacts. A flight
       // that ends at a touch without an impact will do so again.
-      const int patience = flies && world_.impacts().empty() ? 4 : 50;
+      const int patience = flies && world_.impacts().empty() ? 1 : 50;
       stalled_ = world_.time - before < 1e-9 * world_.settings().time_step ? stalled_ + 1 : 0;
       if (stalled_ > patience) {
         const double stuck = world_.time;
