@@ -68,7 +68,7 @@ TEST_CASE("a model that is 4 m far has that bias, and an energy distance above i
   const ObservationSummary summary = compare(plan, simulated, 1);
   CHECK(summary.bias == Approx(4).margin(4 * summary.bias_error));
   CHECK(summary.energy > summary.energy_noise_p90);
-  CHECK(observation_text(plan, summary).find(" far (") != std::string::npos);
+  CHECK(observation_text(plan, summary).find(" m too far on the mean (") != std::string::npos);
 }
 
 TEST_CASE("rocks that left are counted apart; with them the scores count where they were last seen") {
