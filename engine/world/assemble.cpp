@@ -162,9 +162,9 @@ void World<D>::measure_before(double h) {
     contact.turning = turning.rate;
     contact.lasts = turning.lasts;
     contact.before -= (1 - settings_.theta) * h * contact.turning;
-    // By the corrected velocity, where it is exact: a contact of a body that spins fast only seems to close
-    // in the middle.
-    if ((turning.walks ? in_middle : contact.approach()) <= settings_.rest_speed) continue;
+    // A contact of a body that spins fast only seems to close in the middle, if it is at rest at the start.
+    const bool rests = !turning.walks && std::abs(contact.before[0]) <= settings_.rest_speed;
+    if (rests || in_middle <= settings_.rest_speed) continue;
     touching_[contact.candidate] = true;
     if (contact.antagonist >= 0) touching_[contact.antagonist] = true;
   }
