@@ -208,7 +208,6 @@ Separation improved(const Placed3& a, const Placed3& b, const Vec3& guess, doubl
 
 Separation separation(const Placed3& a, const Placed3& b) {
   constexpr double share = 1e-3, touching = 1e-3;
-  constexpr double shallow = 0.1;  // of `back`: cores that overlap by less do so least there
   const Vec3 between = a.pose.x - b.pose.x;
   const double small = std::min(a.shape.bound, b.shape.bound);
   const double back = share * (small > 0 ? small : std::max(a.shape.bound, b.shape.bound));
@@ -223,7 +222,7 @@ Separation separation(const Placed3& a, const Placed3& b) {
   best.distance = -std::numeric_limits<double>::infinity();
   if (length > touching * back) best = improved(a, b, nearest.place / length, back);
   const Guesses guesses(a, b);
-  for (int i = 0; i < Guesses::count && best.distance < -shallow * back; ++i) {
+  for (int i = 0; i < Guesses::count && best.distance < -1e-3 * back; ++i) {
     const Separation next = improved(a, b, guesses.normal(i), back);
     if (next.distance > best.distance) best = next;
   }
