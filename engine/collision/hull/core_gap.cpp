@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include "collision/pill/closest.h"
 #include "collision/rules.h"
 
 namespace flyrock {
@@ -9,21 +10,27 @@ namespace flyrock {
 namespace {
 
 Vec3 edge_start(const Placed3& shape, int edge) { return shape.point(shape.shape.edges[edge].start); }
-Vec3 edge_direction(const Placed3& shape, int edge) {
-  return (shape.point(shape.shape.edges[edge].end) - edge_start(shape, edge)).normalized();
+Vec3 edge_vector(const Placed3& shape, int edge) {
+  return shape.point(shape.shape.edges[edge].end) - edge_start(shape, edge);
 }
+Vec3 edge_direction(const Placed3& shape, int edge) { return edge_vector(shape, edge).normalized(); }
 /// The sum of the normals of the two faces at the edge.
 Vec3 edge_outward(const Placed3& shape, int edge) {
   return shape.normal(shape.shape.edges[edge].left) + shape.normal(shape.shape.edges[edge].right);
 }
 
-/// The distance of two edges along the normal across both. The axis of a pill is never below another edge.
+/// The distance of two edges along the normal across both. The axis of a pill is never below another edge;
+/// its distance is that of the nearest places, because the lines of edges that are nearly parallel may cross
+/// far beyond their ends.
 double edge_edge(const Placed3& a, int ea, const Placed3& b, int eb) {
-  const Vec3 da = edge_direction(a, ea), db = edge_direction(b, eb);
   const Vec3 away = edge_start(a, ea) - edge_start(b, eb);
+  if (a.shape.faces.empty() || b.shape.faces.empty()) {
+    const Vec3 along_a = edge_vector(a, ea), along_b = edge_vector(b, eb);
+    const auto [s, t] = nearest_of_segments(edge_start(a, ea), along_a, edge_start(b, eb), along_b);
+    return (away + s * along_a - t * along_b).norm();
+  }
+  const Vec3 da = edge_direction(a, ea), db = edge_direction(b, eb);
   Vec3 normal = da.cross(db);
-  if (a.shape.faces.empty() || b.shape.faces.empty())
-    return normal.norm() < 1e-9 ? da.cross(away).norm() : std::abs(normal.normalized().dot(away));
   const Vec3 from_b_to_a = edge_outward(b, eb) - edge_outward(a, ea);
   if (normal.norm() < 1e-9) normal = from_b_to_a - da * da.dot(from_b_to_a);  // parallel
   if (normal.dot(from_b_to_a) < 0) normal = -normal;
