@@ -15,12 +15,38 @@ constexpr int block = 8;  // cells, or blocks of the level below, along each sid
 constexpr std::array<std::array<int, 2>, 6> neighbours_around{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 0}, {-1, -1}, {0, -1}}};
 
+/// The values of the cells, with those at the border repeated once outside.
+template <class Value>
+void repeat_border(std::vector<Value>& values, int columns, int rows) {
+  const std::size_t wide = static_cast<std::size_t>(columns) + 2;
+  values.resize(wide * (static_cast<std::size_t>(rows) + 2));
+  // From the last row on, so that none is overwritten before it has moved.
+  for (int r = rows - 1; r >= 0; --r) {
+    const auto from = values.begin() + static_cast<std::ptrdiff_t>(r) * columns;
+    const auto to = values.begin() + static_cast<std::ptrdiff_t>((r + 1) * wide);
+    std::move_backward(from, from + columns, to + columns + 1);
+    to[0] = to[1];
+    to[columns + 1] = to[columns];
+  }
+  const auto row = static_cast<std::ptrdiff_t>(wide);
+  std::copy_n(values.begin() + row, row, values.begin());
+  std::copy_n(values.end() - 2 * row, row, values.end() - row);
+}
+
+HeightGrid with_apron(HeightGrid grid) {
+  repeat_border(grid.heights, grid.columns, grid.rows);
+  if (!grid.part.empty()) repeat_border(grid.part, grid.columns, grid.rows);
+  grid.columns += 2;
+  grid.rows += 2;
+  return grid;
+}
+
 }  // namespace
 
-GridGround::GridGround(HeightGrid grid) : Ground3(grid.parts), grid_(std::move(grid)) {
+GridGround::GridGround(HeightGrid grid) : Ground3(grid.parts), grid_(with_apron(std::move(grid))) {
   build_levels();
   cell_ = grid_.cell;
-  const Vec2 size = grid_.cell * Vec2(grid_.columns - 1, grid_.rows - 1);
+  const Vec2 size = grid_.cell * Vec2(grid_.columns - 3, grid_.rows - 3);
   const Level& all = levels_.back();
   extent_.low << grid_.corner, all.low[0];
   extent_.high << grid_.corner + size, all.high[0];
@@ -28,8 +54,16 @@ GridGround::GridGround(HeightGrid grid) : Ground3(grid.parts), grid_(std::move(g
   noise_ = 8e-16 * std::max(extent_.low.cwiseAbs().maxCoeff(), extent_.high.cwiseAbs().maxCoeff());
 }
 
+/// Where the centres of a column (axis 0) or row (axis 1) are [m].
+double GridGround::coordinate(int axis, int index) const {
+  const int last = axis == 0 ? grid_.columns - 1 : grid_.rows - 1;
+  if (index == 0) return grid_.corner[axis] - apron;
+  if (index == last) return grid_.corner[axis] + grid_.cell * (last - 2) + apron;
+  return grid_.corner[axis] + grid_.cell * (index - 1);
+}
+
 Vec3 GridGround::place(int column, int row) const {
-  return {grid_.corner.x() + grid_.cell * column, grid_.corner.y() + grid_.cell * row, grid_.at(column, row)};
+  return {coordinate(0, column), coordinate(1, row), grid_.at(column, row)};
 }
 
 Vec3 GridGround::vertex(std::uint64_t index) const {
@@ -75,15 +109,17 @@ void GridGround::build_levels() {
   }
 }
 
-GridGround::Range GridGround::cells_of(const Vec2& low, const Vec2& high) const {
+GridGround::Range GridGround::cells_of(const Vec2& low, const Vec2& high, Cells which) const {
   Range range;
   const std::array<int, 2> cells{grid_.columns - 1, grid_.rows - 1};
+  const int border = which == Cells::own ? 1 : 0;
   for (int k = 0; k < 2; ++k) {
     // A box that ends on the line between two cells meets both.
     const double from = (low[k] - grid_.corner[k]) / grid_.cell - 1e-9,
                  to = (high[k] - grid_.corner[k]) / grid_.cell + 1e-9;
-    range.first[k] = static_cast<int>(std::clamp(std::floor(from), 0.0, static_cast<double>(cells[k])));
-    range.last[k] = static_cast<int>(std::clamp(std::floor(to), -1.0, static_cast<double>(cells[k] - 1)));
+    const double first = border, last = cells[k] - 1 - border;
+    range.first[k] = static_cast<int>(std::clamp(1 + std::floor(from), first, last + border));
+    range.last[k] = static_cast<int>(std::clamp(1 + std::floor(to), first - border, last));
   }
   return range;
 }
@@ -126,17 +162,17 @@ bool GridGround::visit(const Box3& box, const Range& range, std::size_t level, i
 }
 
 template <class See>
-void GridGround::visit_all(const Box3& box, const See& see) const {
-  const Range range = cells_of(box.low.head<2>(), box.high.head<2>());
+void GridGround::visit_all(const Box3& box, Cells which, const See& see) const {
+  const Range range = cells_of(box.low.head<2>(), box.high.head<2>(), which);
   if (range.last[0] < range.first[0] || range.last[1] < range.first[1]) return;
   visit(box, range, levels_.size() - 1, 0, 0, see);
 }
 
 template <class See>
-void GridGround::visit_in_order(const Box3& box, const See& see) const {
+void GridGround::visit_in_order(const Box3& box, Cells which, const See& see) const {
   thread_local std::vector<std::uint32_t> found;  // keeps its memory between queries
   found.clear();
-  visit_all(box, [&](std::uint32_t id) {
+  visit_all(box, which, [&](std::uint32_t id) {
     found.push_back(id);
     return true;
   });
@@ -145,33 +181,34 @@ void GridGround::visit_in_order(const Box3& box, const See& see) const {
 }
 
 void GridGround::facets(const Box3& box, std::vector<Facet>& out) const {
-  visit_in_order(box, [&](std::uint32_t id) { out.push_back(facet(id)); });
+  visit_in_order(box, Cells::with_apron, [&](std::uint32_t id) { out.push_back(facet(id)); });
 }
 
 void GridGround::triangles(const Box3& box, std::vector<Facet>& out) const {
-  visit_in_order(box, [&](std::uint32_t id) { out.push_back(triangle(id)); });
+  visit_in_order(box, Cells::own, [&](std::uint32_t id) { out.push_back(triangle(id)); });
 }
 
 int GridGround::count(const Box3& box, int limit) const {
   int found = 0;
-  visit_all(box, [&](std::uint32_t) { return ++found < limit; });
+  visit_all(box, Cells::with_apron, [&](std::uint32_t) { return ++found < limit; });
   return found;
 }
 
 /// Row by row: the cells between the places where the segment enters and leaves the row.
 void GridGround::triangles_under(const Vec2& a, const Vec2& b, std::vector<Facet>& out) const {
-  const Range range = cells_of(a.cwiseMin(b), a.cwiseMax(b));
+  const Range range = cells_of(a.cwiseMin(b), a.cwiseMax(b), Cells::own);
   const Vec2 along = b - a;
   for (int row = range.first[1]; row <= range.last[1]; ++row) {
     double from = 0, to = 1;
     if (along.y() != 0) {
-      const double south = (grid_.corner.y() + grid_.cell * (row - 1e-9) - a.y()) / along.y(),
-                   north = (grid_.corner.y() + grid_.cell * (row + 1 + 1e-9) - a.y()) / along.y();
+      const double slack = 1e-9 * grid_.cell;
+      const double south = (coordinate(1, row) - slack - a.y()) / along.y(),
+                   north = (coordinate(1, row + 1) + slack - a.y()) / along.y();
       from = std::max(from, std::min(south, north));
       to = std::min(to, std::max(south, north));
     }
     const Vec2 enters = a + from * along, leaves = a + to * along;
-    const Range here = cells_of(enters.cwiseMin(leaves), enters.cwiseMax(leaves));
+    const Range here = cells_of(enters.cwiseMin(leaves), enters.cwiseMax(leaves), Cells::own);
     for (int column = here.first[0]; column <= here.last[0]; ++column) {
       if (!has_ground(column, row)) continue;
       const auto id = 2 * (static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(grid_.columns - 1) +

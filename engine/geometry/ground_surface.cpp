@@ -73,7 +73,7 @@ std::vector<Vec3> rectangle_on(const Facet& plane, const Box2& window) {
 
 Mesh own_triangles(const Ground3& ground, const Box3& box) {
   std::vector<Facet> facets;
-  ground.facets(box, facets);
+  ground.triangles(box, facets);
   const Box2 window{box.low.head<2>(), box.high.head<2>()};
   SurfaceMesh surface(ground.parts());
   for (const Facet& facet : facets) {
