@@ -50,7 +50,7 @@ class CircleSearch {
     if (best >= left || (b_.facet && b_.facet->unbounded)) return best;
     const Placed3 a{a_.shape, {sa.x, sa.turn.rotation}}, b{b_.shape, {sb.x, sb.turn.rotation}};
     const FacingPair pair = facing_pair(a, b);
-    nearest_ = pair.apart.normal;
+    nearest_ = pair.normal;
     touches_ = pair.apart.distance - a_.shape.radius - b_.shape.radius < closed * search_.size;
     const Patch &of_a = pair.of_a, &of_b = pair.of_b;
     if (of_b.normal.squaredNorm() > 0) attempt(with_b(of_b.normal, sb, of_b.feature.index));
@@ -59,6 +59,10 @@ class CircleSearch {
       attempt(across(of_a.places[1].at - of_a.places[0].at, sa, of_b.places[1].at - of_b.places[0].at, sb));
     attempt(with_b(nearest_, sb));
     attempt(with_a(nearest_, sa));
+    if (pair.apart.normal != nearest_) {
+      attempt(with_b(pair.apart.normal, sb));
+      attempt(with_a(pair.apart.normal, sa));
+    }
     if (b_.facet)
       for (const HeldOnGround& h : b_.held)
         if (kind_of(h.against) == FeatureKind::face) attempt(with_b(h.normal, sb));

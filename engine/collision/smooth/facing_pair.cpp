@@ -54,17 +54,21 @@ double distance_along(const Placed3& a, const Placed3& b, const Vec3& normal) {
   return normal.dot(a.support(-normal) - b.support(normal));
 }
 
-}  // namespace
+bool is_plane(const Patch& patch) { return patch.normal.squaredNorm() > 0; }
 
-FacingPair facing_pair(const Placed3& a, const Placed3& b) {
+/// The parts that face each other along the normal of a pair.
+void find_parts(const Placed3& a, const Placed3& b, FacingPair& pair, Planes planes) {
+  pair.of_a = support_feature(a, -pair.apart.normal, planes);
+  pair.of_b = support_feature(b, pair.apart.normal, planes);
+}
+
+/// Newton's method for the normal of a pair, until one of the parts is plane.
+void make_exact(const Placed3& a, const Placed3& b, FacingPair& pair, Planes planes) {
   constexpr int most_steps = 6;
   constexpr double exact = 1e-15;
-  FacingPair pair{separation(a, b), {}, {}};
   Vec3& normal = pair.apart.normal;
   const double size = std::max(a.shape.bound, b.shape.bound);
-  pair.of_a = support_feature(a, -normal);
-  pair.of_b = support_feature(b, normal);
-  const auto is_plane = [](const Patch& patch) { return patch.normal.squaredNorm() > 0; };
+  find_parts(a, b, pair, planes);
   for (const bool with_lines : {true, false}) {
     bool better = false;
     for (int i = 0; i < most_steps && !is_plane(pair.of_a) && !is_plane(pair.of_b); ++i) {
@@ -74,20 +78,38 @@ FacingPair facing_pair(const Placed3& a, const Placed3& b) {
       better = true;
       normal = next;
       pair.apart.distance = distance;
-      pair.of_a = support_feature(a, -normal);
-      pair.of_b = support_feature(b, normal);
+      find_parts(a, b, pair, planes);
       if (turned < exact) break;
     }
     if (better) break;
   }
-  if (is_plane(pair.of_b)) {
-    normal = pair.of_b.normal;
-    pair.of_a = support_feature(a, -normal);
-  } else if (is_plane(pair.of_a)) {
-    normal = -pair.of_a.normal;
-    pair.of_b = support_feature(b, normal);
-  }
   pair.apart.distance = distance_along(a, b, normal);
+}
+
+}  // namespace
+
+FacingPair facing_pair(const Placed3& a, const Placed3& b) {
+  FacingPair pair{separation(a, b), {}, {}, {}};
+  make_exact(a, b, pair, Planes::with);
+  pair.normal = pair.apart.normal;
+  if (!is_plane(pair.of_a) && !is_plane(pair.of_b)) return pair;
+  FacingPair beside = pair;
+  if (is_plane(pair.of_b)) {
+    pair.normal = pair.of_b.normal;
+    pair.of_a = support_feature(a, -pair.normal);
+  } else {
+    pair.normal = -pair.of_a.normal;
+    pair.of_b = support_feature(b, pair.normal);
+  }
+  const double over_plane = distance_along(a, b, pair.normal),
+               noise = 1e-12 * std::max(a.shape.bound, b.shape.bound);
+  if (over_plane >= pair.apart.distance - noise) {
+    pair.apart.normal = pair.normal;
+    pair.apart.distance = over_plane;
+  } else {  // a part of one core is below the plane, but beside the face or cap
+    make_exact(a, b, beside, Planes::without);
+    pair.apart = beside.apart;
+  }
   return pair;
 }
 

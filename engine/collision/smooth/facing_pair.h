@@ -8,15 +8,18 @@
 
 namespace flyrock {
 
-/// The separation of two cores with the parts that face each other. If one of the parts is plane, the normal
-/// is that of the plane; if both are, that of b. Otherwise Newton's method makes the normal n of separation()
-/// exact: n must point along the line between the two nearest places. A place of a rim of radius R moves by
+/// The separation of two cores with the parts that face each other. If one of the parts is plane, contacts
+/// have the normal of the plane; if both are, that of b. What lies flush on a plane may end below it, but
+/// beside the face or cap: the cores are then farther apart along another normal, that of `apart`. Newton's
+/// method makes the normal n of separation() exact: n must point along the line between the two nearest
+/// places. A place of a rim of radius R moves by
 ///   -R/s t (t . dn)
 /// if n changes by dn, with the tangent t of the rim and the sine s of the angle between n and the axis. A
 /// line that touches stays perpendicular to n.
 struct FacingPair {
   Separation apart;
   Patch of_a, of_b;
+  Vec3 normal;  ///< of contacts
 };
 FacingPair facing_pair(const Placed3& a, const Placed3& b);
 

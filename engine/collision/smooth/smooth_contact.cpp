@@ -209,7 +209,7 @@ void smooth_contacts(Workspace&, const Placed3& a, const Placed3& b, double reac
   const FacingPair pair = facing_pair(a, b);
   if (pair.apart.distance - radii > reach) return;
   const Patch &of_a = pair.of_a, &of_b = pair.of_b;
-  const Vec3& n = pair.apart.normal;
+  const Vec3& n = pair.normal;
   MeetingPatches meetings(a, of_a, b, of_b, n, pair.apart.on_a);
   const std::size_t begin = out.size();
   const bool planes = of_a.normal.squaredNorm() > 0 && of_b.normal.squaredNorm() > 0;

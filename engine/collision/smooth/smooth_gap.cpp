@@ -1,5 +1,6 @@
 // Gaps of known features where one contactor has circles.
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "collision/rules.h"
@@ -33,6 +34,22 @@ std::optional<FacePlane> plane_of(const Placed3& shape, FeatureId feature) {
   return FacePlane{shape.pose * circle.centre, shape.pose.r * circle.axis};
 }
 
+/// Whether a feature is the place where a rim crosses something.
+bool is_crossing(const Placed3& shape, FeatureId feature) {
+  return !shape.shape.circles.empty() && kind_of(feature) == FeatureKind::edge &&
+         place_of_rim(index_of(feature)) >= rim_places;
+}
+
+/// The gap of the contact that has these features, if there is one.
+std::optional<double> gap_of_contact(Workspace& work, const Placed3& a, FeatureId feature, const Placed3& b,
+                                     FeatureId against) {
+  work.found.clear();
+  smooth_contacts(work, a, b, std::numeric_limits<double>::infinity(), 0, work.found);
+  for (const ContactPoint<3>& c : work.found)
+    if (c.feature == feature && c.against == against) return c.gap;
+  return std::nullopt;
+}
+
 /// The height of a vertex, or of the place of a rim that faces a plane, over this plane.
 std::optional<double> over_plane(const Placed3& shape, FeatureId feature,
                                  const std::optional<FacePlane>& plane) {
@@ -44,7 +61,7 @@ std::optional<double> over_plane(const Placed3& shape, FeatureId feature,
 
 }  // namespace
 
-double smooth_gap(Workspace&, const Placed3& a, FeatureId feature, const Placed3& b, FeatureId against,
+double smooth_gap(Workspace& work, const Placed3& a, FeatureId feature, const Placed3& b, FeatureId against,
                   const Vec3& near) {
   for (const auto& height :
        {over_plane(a, feature, plane_of(b, against)), over_plane(b, against, plane_of(a, feature))})
@@ -55,6 +72,8 @@ double smooth_gap(Workspace&, const Placed3& a, FeatureId feature, const Placed3
   if (const auto distance = distance_of_features(a, feature, b, against, near);
       distance && *distance - radii <= closed)
     return *distance - radii;
+  if (is_crossing(a, feature) || is_crossing(b, against))
+    if (const auto gap = gap_of_contact(work, a, feature, b, against)) return *gap;
   const FacingPair pair = facing_pair(a, b);
   const Vec3& normal = pair.apart.normal;
   if (const auto of_a = place_of(a, feature, -normal)) return normal.dot(*of_a - b.support(normal)) - radii;

@@ -82,11 +82,11 @@ bool contains_piece(const Contactor3& shape, const ShapeFeature& feature, int pi
   return std::find(loop, loop + face.count, piece) != loop + face.count;
 }
 
-Patch support_feature(const Placed3& placed, const Vec3& direction) {
+Patch support_feature(const Placed3& placed, const Vec3& direction, Planes planes) {
   const Contactor3& shape = placed.shape;
   const Vec3 local = placed.pose.r.inverse(direction);
   const auto is_flush = [&](const Vec3& normal) {
-    return (normal - local).squaredNorm() < flush_angle * flush_angle;
+    return planes == Planes::with && (normal - local).squaredNorm() < flush_angle * flush_angle;
   };
   for (int k = 0; k < static_cast<int>(shape.circles.size()); ++k)
     if (is_flush(shape.circles[k].axis)) return cap_of(placed, k);

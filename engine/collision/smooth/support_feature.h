@@ -44,8 +44,9 @@ struct Patch {
 };
 
 /// The part of the core that faces a direction, up to `flush_angle`: a face or cap, an edge or the line of a
-/// side, a vertex or a place of a rim.
-Patch support_feature(const Placed3& shape, const Vec3& direction);
+/// side, a vertex or a place of a rim. `without` planes: no face or cap.
+enum class Planes { with, without };
+Patch support_feature(const Placed3& shape, const Vec3& direction, Planes planes = Planes::with);
 
 /// The part that a feature names, of which a rim and a side are as they face a direction: nothing for a face
 /// or cap, and for the places where a rim crosses something.

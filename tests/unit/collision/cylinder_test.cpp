@@ -252,6 +252,36 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("a cap that lies nearly flush on an edge has the gaps of its rim") {
+  // The edge is the x axis from -1 to 1. The cap is so tilted that the end of the edge lies below its plane,
+  // beyond the rim.
+  constexpr double radius = 0.5, gap = 1e-5, tilt = 3e-5;
+  const Contactor3 roof =
+      convex_hull({{-1, 0, 0}, {1, 0, 0}, {-1, -1, -0.5}, {1, -1, -0.5}, {-1, 1, -0.5}, {1, 1, -0.5}});
+  const Contactor3 cylinder = Contactor3::cylinder(radius, 0.4);
+  Motion3 motion, rest;
+  const Rotation3 turn = Rotation3::from_vector({0, tilt, 0});
+  motion.rotation = FreeRotation({1, 1, 0.7}, turn, Vec3::Zero());
+  motion.x = Vec3(0, 0, gap) - turn * Vec3(radius, 0, -0.2);
+  motion.x.x() = 0;
+  motion.v = {0, 0, -1};
+  const Placed3 a = at(cylinder, motion, 0), b = at(roof, rest, 0);
+  CHECK(separation_along(a, b, facing_pair(a, b).normal) < 0);
+  CHECK(facing_pair(a, b).apart.distance == Approx(gap).margin(1e-9));
+  Contacts<3> contacts;
+  body_contacts(scratch(), a, b, 1e-3, contacts);
+  REQUIRE(contacts.size() == 2);
+  for (const ContactPoint<3>& c : contacts) {
+    CHECK(c.gap == Approx(c.point.x() > 0 ? gap : gap + 2 * radius * tilt).margin(1e-9));
+    CHECK(feature_gap<3>(scratch(), a, c.feature, b, c.against, c.normal) == Approx(c.gap).margin(1e-12));
+  }
+  TouchSearch search;
+  search.size = cylinder.bound;
+  const auto touch = time_of_contact<3>(scratch(), {cylinder, motion}, {roof, rest}, 1, search);
+  REQUIRE(touch);
+  CHECK(*touch == Approx(gap).margin(1e-9));
+}
+
 TEST_CASE("no shot cylinder passes through the ground, and it touches at gap 0", "[slow]") {
   Dice dice(11);
   constexpr double end = 0.03;
