@@ -109,7 +109,7 @@ TEST_CASE("what was held back may be a table, or another scenario", "[slow]") {
   }
 }
 
-TEST_CASE("the best point at the end of its way is exit code 1; a number that does nothing is not determined",
+TEST_CASE("the best point at the end of its way is exit code 1, a number that does nothing is not determined",
           "[slow]") {
   const Folder folder;
   write_measurements(folder);

@@ -197,7 +197,7 @@ TEST_CASE("GeoJSON has the rows of the database as layers, in the coordinates of
   CHECK(region_area(area[0]["geometry"]) > 400);  // more than where the rocks start
 }
 
-TEST_CASE("each sweep point has layers of its own; a rock that did not start has no place") {
+TEST_CASE("each sweep point has layers of its own, a rock that did not start has no place") {
   const Folder folder;
   std::string text = scenario;
   const std::string above = "above_ground: 2 m";

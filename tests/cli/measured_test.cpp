@@ -31,7 +31,7 @@ std::string thrown(int dimension, const std::string& rocks, const std::string& o
 
 }  // namespace
 
-TEST_CASE("a table with velocities flies each rock by its own; distances measured so have no bias") {
+TEST_CASE("a table with velocities flies each rock by its own, distances measured so have no bias") {
   for (const int dimension : {2, 3}) {
     const Folder folder;
     std::string rocks = "name,mass_kg,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s\n";
@@ -61,7 +61,7 @@ TEST_CASE("a table with velocities flies each rock by its own; distances measure
   }
 }
 
-TEST_CASE("a model with scatter has bands; the comparison does not change other results") {
+TEST_CASE("a model with scatter has bands, the comparison does not change other results") {
   const Folder folder;
   folder.write("rocks.csv", "mass,x,y,z\n100,0,0,1\n200,0,0,1\n300,0,0,1\n");
   folder.write("stops.csv", "x,y\n20,0\n0,25\n300,0\n");

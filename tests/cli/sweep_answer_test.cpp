@@ -63,7 +63,7 @@ TEST_CASE("A sweep names the best point, those that fall short, and the differen
   CHECK(summary.at("differences")[0].at("groups")[0].at("numbers").at("gate.road.passed").at("mean") == -1);
 }
 
-TEST_CASE("Without an answer no point is called best; ties and none are said") {
+TEST_CASE("Without an answer no point is called best, ties and none are said") {
   const Folder folder;
   std::string out;
   CHECK_FALSE(summary_of(folder, "", out).contains("best_point"));

@@ -212,7 +212,7 @@ bodies:
   CHECK(records.rocks.at(0).stop_z == Approx(1 - 0.8 / 3 + 0.1 + 0.3).margin(1e-5));
 }
 
-TEST_CASE("parts that overlap are warned of with their depth; parts that touch are not") {
+TEST_CASE("parts that overlap are warned of with their depth, parts that touch are not") {
   const auto warnings = [](double apart) {
     LoadedScenario scenario = from_text(flat_2d + fmt::format(R"(
   - name: pair

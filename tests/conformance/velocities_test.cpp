@@ -168,7 +168,7 @@ TEST_CASE("richards_moore: stemming leaves along the hole, and only stemming") {
         "richards_moore: k lies outside 13.5 to 30, the range in which it is used");
 }
 
-TEST_CASE("mckenzie reaches its ranges; the power 2/3 is of the diameter alone") {
+TEST_CASE("mckenzie reaches its ranges, the power 2/3 is of the diameter alone") {
   CHECK(reach(launch("mckenzie", {{"elevation", pi / 4}}, workbook())) == Approx(337.0).epsilon(2e-4));
   for (const auto& [stemming, range] : {std::pair{2.3, 93.2}, {2.0, 119.1}, {1.2, 273.5}}) {
     Blast blast = ninh_dan(2.7);

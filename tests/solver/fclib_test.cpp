@@ -213,7 +213,7 @@ TEST_CASE("a broken file gives one line that says what is wrong") {
   CHECK(error_of(file.name) == "holds no /fclib_local and no /fclib_global: it is no FCLIB problem");
 }
 
-TEST_CASE("a global problem gives W = H^T M^-1 H and q = H^T M^-1 f + w; its M is symmetric and regular") {
+TEST_CASE("a global problem gives W = H^T M^-1 H and q = H^T M^-1 f + w, its M is symmetric and regular") {
   if (without_hdf5()) return;
   const TemporaryFile file;
   Eigen::Matrix3d mass;

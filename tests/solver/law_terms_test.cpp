@@ -115,7 +115,7 @@ TEST_CASE("LMGC90's law lets a separating contact come back, Moreau's does not")
   CHECK(solve(law, 0, h, before, free).velocity[0] == Approx(-0.5));
 }
 
-TEST_CASE("the form velocity gives the velocity whatever the friction; in company the others have e = 0") {
+TEST_CASE("the form velocity gives the velocity whatever the friction, in company the others have e = 0") {
   ContactLaw law;
   law.form = RestitutionForm::velocity;
   law.e_n = 0.4;

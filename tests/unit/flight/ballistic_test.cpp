@@ -174,7 +174,7 @@ TEST_CASE("no flight leaves the envelope, and it is touched") {
 }
 
 TEST_CASE(
-    "the shroud: the closed form without air, and with little air nearly so; no flight in air leaves it") {
+    "the shroud: the closed form without air, and with little air nearly so, no flight in air leaves it") {
   const std::vector<Vec2> line = shroud(air(0), 40, 12, day, 41);
   REQUIRE(line.size() == 41);
   for (const Vec2& point : line) CHECK(point.y() == Approx(vacuum_envelope(40, point.x(), g)).margin(1e-6));

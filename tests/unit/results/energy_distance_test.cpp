@@ -71,7 +71,7 @@ TEST_CASE("the energy distance by ranks is that of all pairs, for any sizes and 
   }
 }
 
-TEST_CASE("the energy distance in the plane is that of all pairs; on a line it is that of numbers") {
+TEST_CASE("the energy distance in the plane is that of all pairs, on a line it is that of numbers") {
   const auto x = drawn(30, 1), y = drawn(20, 2), z = drawn(30, 3), w = drawn(20, 4);
   std::vector<Vec2> a, b, line;
   for (std::size_t i = 0; i < x.size(); ++i) a.emplace_back(x[i], z[i]);

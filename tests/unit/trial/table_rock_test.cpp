@@ -79,7 +79,7 @@ TEST_CASE("with the density of the table the lengths are as measured") {
   CHECK(rocks[0].mass == Approx(500));
 }
 
-TEST_CASE("without masses the density gives them; a diameter makes equal lengths; other shapes are scaled") {
+TEST_CASE("without masses the density gives them, a diameter makes equal lengths, other shapes are scaled") {
   const auto boxes = bodies_of<3>("l1,l2,l3,x,y,z\n1,0.6,0.4,0,0,5\n",
                                   "density: 2500, shape: { type: from_lengths, form: box }");
   CHECK(boxes[0].mass == Approx(2500 * 0.24));
@@ -92,7 +92,7 @@ TEST_CASE("without masses the density gives them; a diameter makes equal lengths
   CHECK(cone[0].mass == Approx(800));
 }
 
-TEST_CASE("a rock of a table starts with its velocity; without z it is lowered to the ground") {
+TEST_CASE("a rock of a table starts with its velocity, without z it is lowered to the ground") {
   const auto rocks = bodies_of<3>("mass,x,y,z,vx,vy,vz\n100,1,2,,3,4,-5\n200,5,6,7,,,\n",
                                   "density: 2500, shape: { type: from_lengths, form: sphere }");
   CHECK(rocks[0].x.z() == Approx(rocks[0].radius).epsilon(1e-6));
