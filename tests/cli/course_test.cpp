@@ -160,7 +160,7 @@ TEST_CASE("course -o DIR is the result folder, as that of run, and is not replac
   CHECK(folder.has("out/course/oblique_impact/report.html"));
 }
 
-TEST_CASE("the arch takes the number of its stones and its thicknesses as arguments") {
+TEST_CASE("the arch takes the number of its stones and its thicknesses as arguments", "[slow]") {
   const Folder folder;
   const Output more = call(folder, "course arch --arg voussoirs=31 --arg thick=0.112 --arg thin=0.1");
   INFO(more.out << more.err);
