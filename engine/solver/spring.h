@@ -25,13 +25,24 @@ inline double turning_overlap(const Spring& spring, double d, double v, double w
   return std::pow((spring.exponent + 1) * energy / spring.stiffness, 1 / (spring.exponent + 1));
 }
 
+/// The weight of the velocity at the end of a step in the mean velocity by which a damper acts, for X = h c
+/// d^(n-1) W_nn: nearly 1/2 for a weak damper. With it, a damper alone is exact: u = e^-X v^-.
+inline double damper_weight(double x) {
+  constexpr double small = 1e-2;  // for which the series errs by less than 1e-14
+  if (x < small) return 0.5 + x / 12 - x * x * x / 720;
+  return -1 / std::expm1(-x) - 1 / x;
+}
+
 /// Makes contact a of a problem a spring, in a step of length h [s] (0: an impact, in which a spring does
 /// nothing). `d` [m] is the overlap in the middle of the step, `stretch` [m] the one of the tangential spring
 /// there, in the tangents of the contact. The spring pushes with h k d^n: without damper a given impulse. A
-/// damper acts by the mean v_m of the velocities v^- and u at both ends of the step,
+/// damper acts by the mean v_m = (1 - y) v^- + y u of the velocities at both ends of the step, with its
+/// weight y,
 ///   r_n = max(0, h (k d^n - c d^(n-1) v_m)),
-/// which is Signorini's condition for a row of the problem: with x = h c d^(n-1) W_nn / 2,
-///   0 <= r_n _|_ W_nn r_n + x (W_nt r_t + couplings + q_n + v^-) / (1 + x) - h k d^n W_nn / (1 + x) >= 0.
+/// which is Signorini's condition for a row of the problem: with x = y h c d^(n-1) W_nn,
+///   0 <= r_n _|_ W_nn r_n + x (W_nt r_t + couplings + q_n + (1/y - 1) v^-) / (1 + x) - h k d^n W_nn / (1 +
+///   x)
+///     >= 0.
 /// A tangential spring is friction on the row W_tt (r_t + h k_t s): it sticks at r_t = -h k_t s.
 template <int D>
 void set_spring(const Spring& spring, double d, const Eigen::Matrix<double, D - 1, 1>& stretch, double h,
@@ -39,7 +50,8 @@ void set_spring(const Spring& spring, double d, const Eigen::Matrix<double, D - 
   auto& contact = problem.contacts[a];
   const double power = overlap_power(spring, d), shear_strength = contact.c_t;
   const double push = h * spring.stiffness * (power * d);
-  const double w = contact.w(0, 0), x = 0.5 * h * spring.damping * power * w;
+  const double w = contact.w(0, 0), decay = h * spring.damping * power * w;
+  const double weight = damper_weight(decay), x = weight * decay;
   static_cast<Restitution&>(rebound) = {};  // of a spring only the damper takes energy
   contact.normal = x > 0;
   rebound.given = contact.normal ? 0 : push;
@@ -48,7 +60,7 @@ void set_spring(const Spring& spring, double d, const Eigen::Matrix<double, D - 
     const double share = x / (1 + x);
     contact.w.row(0) *= share;
     contact.w(0, 0) = w;
-    contact.q[0] = share * (contact.q[0] + rebound.before[0]) - push * w / (1 + x);
+    contact.q[0] = share * (contact.q[0] + (1 / weight - 1) * rebound.before[0]) - push * w / (1 + x);
     problem.scale_couplings(a, 0, share);
   }
   if (spring.tangential_stiffness <= 0) return;

@@ -43,12 +43,29 @@ double World<D>::fastest_breath() const {
   return fastest;
 }
 
-/// The longest step that gives the springs and dampers of the last step or impact, and the radii that move,
-/// enough steps a period [s].
+/// The longest step that gives a rate [rad/s] enough steps a period.
+double enough_steps(double rate) {
+  return rate > 0 ? 2 * pi / steps_a_period / rate : std::numeric_limits<double>::infinity();
+}
+
+/// The longest step for the dampers of the last step or impact [s]: enough steps for a speed to decay, or as
+/// long as what the contact errs in place is small, because the speed has decayed. Reads after_.
+template <int D>
+void World<D>::limit_by_dampers() {
+  constexpr double small = 0.01;  // of the tolerance
+  longest_of_dampers_ = std::numeric_limits<double>::infinity();
+  for (std::size_t a = 0; a < damper_rates_.size(); ++a) {
+    const double decays = enough_steps(damper_rates_[a]);
+    const double place = small * settings_.step_tolerance * 2 * bodies[contacts_[a].candidate].radius;
+    const double changes = std::abs(after_[a][0] - contacts_[a].before[0]);
+    if (changes > 0) longest_of_dampers_ = std::min(longest_of_dampers_, std::max(decays, place / changes));
+  }
+}
+
+/// The longest step for the springs and dampers of the last step or impact, and the radii that move [s].
 template <int D>
 double World<D>::longest_of_springs() const {
-  const double fastest = std::max(spring_or_damper_rate_, fastest_breath());
-  return fastest > 0 ? 2 * pi / steps_a_period / fastest : std::numeric_limits<double>::infinity();
+  return std::min(longest_of_dampers_, enough_steps(std::max(spring_rate_, fastest_breath())));
 }
 
 /// The velocity error of each body due to friction [m/s]: half of the change of its velocity (plus that of
@@ -112,6 +129,7 @@ std::span<const double> World<D>::doubt_of_friction(double h) {
   template double World<D>::phases_so_far() const;      \
   template double World<D>::fastest_breath() const;     \
   template double World<D>::longest_of_springs() const; \
+  template void World<D>::limit_by_dampers();           \
   template std::span<const double> World<D>::doubt_of_friction(double)
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);

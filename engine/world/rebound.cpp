@@ -12,7 +12,8 @@ namespace flyrock {
 template <int D>
 void World<D>::apply_laws(double h) {
   rebounds_.resize(contacts_.size());
-  spring_rate_ = spring_or_damper_rate_ = 0;
+  spring_rate_ = 0;
+  damper_rates_.assign(contacts_.size(), 0.0);
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     const Contact& contact = contacts_[a];
     auto& row = problem_.contacts[a];
@@ -41,8 +42,10 @@ void World<D>::apply_spring(int a, double h) {
   const double stiffness = spring.exponent * spring.stiffness * power;
   const double stiffest =
       spring.tangential_stiffness * problem_.contacts[a].w.diagonal().template segment<D - 1>(1).maxCoeff();
-  spring_rate_ = std::max(spring_rate_, std::sqrt(std::max(stiffness * w, stiffest)));
-  spring_or_damper_rate_ = std::max({spring_or_damper_rate_, spring_rate_, spring.damping * power * w});
+  const double damping = spring.damping * power, swings = std::sqrt(stiffness * w);
+  const bool creeps = damping * w > 2 * swings;  // without swinging, by its force over its damper
+  spring_rate_ = std::max({spring_rate_, creeps ? stiffness / damping : swings, std::sqrt(stiffest)});
+  damper_rates_[a] = damping * w;
 
   // The stretch turns with the plane of the contact and grows by the slip until the middle of the step.
   const auto tangents = contact_frame(contact.at.normal).template rightCols<D - 1>().eval();
@@ -113,6 +116,7 @@ template <int D>
 void World<D>::measure_after(double h) {
   after_.resize(contacts_.size());
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) after_[a] = velocity_after(a, h);
+  limit_by_dampers();
 }
 
 /// The work of contact a on its bodies in an impact or step [J].

@@ -2,6 +2,7 @@
 // Bodies, terrain, contacts, and one step of the Moreau-Jean scheme or one impact.
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -275,6 +276,7 @@ class World {
   double phases_so_far() const;
   double fastest_breath() const;
   double longest_of_springs() const;
+  void limit_by_dampers();
   std::span<const double> doubt_of_friction(double h);
 
   // step.cpp: the scheme
@@ -294,14 +296,15 @@ class World {
   std::uint64_t solver_work_ = 0;
   std::vector<int> pressed_;
   StepControl<D> control_;
-  double last_step_ = 0;   ///< s
-  double reach_time_ = 0;  ///< s, the longer of this step and the last one; fixed steps: their length
-  double theta_h_ = 0;     ///< s, theta times the step that is solved; 0 in an impact
-  /// rad/s, the greatest sqrt(k W) of the springs in the last step or impact, and with the c W of the dampers
-  double spring_rate_ = 0, spring_or_damper_rate_ = 0;
-  double energy_given_ = 0;                                  ///< J
-  double energy_in_doubt_ = 0, spring_energy_in_doubt_ = 0;  ///< J
-  std::vector<std::vector<PairLaws*>> terrain_laws_;         ///< [body][part]
+  double last_step_ = 0;    ///< s
+  double reach_time_ = 0;   ///< s, the longer of this step and the last one; fixed steps: their length
+  double theta_h_ = 0;      ///< s, theta times the step that is solved; 0 in an impact
+  double spring_rate_ = 0;  ///< rad/s, the greatest of the springs in the last step or impact
+  std::vector<double> damper_rates_;  ///< rad/s, c W of each of its contacts
+  double longest_of_dampers_ = std::numeric_limits<double>::infinity();  ///< s
+  double energy_given_ = 0;                                              ///< J
+  double energy_in_doubt_ = 0, spring_energy_in_doubt_ = 0;              ///< J
+  std::vector<std::vector<PairLaws*>> terrain_laws_;                     ///< [body][part]
   /// [a][b], a < b; null before the bodies first come near each other
   std::vector<std::vector<PairLaws*>> pair_laws_;
 

@@ -95,6 +95,25 @@ TEST_CASE("the dampers of two contacts act together: a box sinks as m x'' + 2 c 
   }
 }
 
+TEST_CASE("a ball on a strong damper sinks and creeps by two exponentials, in steps of the slow one") {
+  // m d'' = m g - k d - c d', with 2 c = 100 sqrt(k m): the quick part decays within 0.1 ms.
+  constexpr double z = 50, speed = 0.05, end = 0.05;
+  const double root = std::sqrt(z * z - 1), quick = omega * (z + root), slow = omega / (z + root);
+  const double rest = mass * 9.81 / stiffness, by_slow = (speed - quick * rest) / (quick - slow);
+  const auto overlap = [&](double t) {
+    return rest + by_slow * std::exp(-slow * t) - (rest + by_slow) * std::exp(-quick * t);
+  };
+  Springs material({.stiffness = stiffness, .damping = 2 * z * std::sqrt(stiffness * mass)}, 0);
+  Bench bench(ground(1), material, chosen());
+  bench.add(disk(radius, mass, {0, radius}, {0, -speed}));
+  bench.run_settings.stop_speed = 0;
+  for (const double t : {1e-4, 5e-3, end}) {
+    const BodyHistory& history = bench.run(t);
+    CHECK(radius - history.last.position.y() == Approx(overlap(t)).margin(0.01 * rest));
+  }
+  CHECK(bench.world.quality().steps < 400);  // with 40 steps in each period of the damper, 7000
+}
+
 TEST_CASE("a tangential spring swings a disk that touches: v_t = v_t(0) cos(sqrt(k_t W_tt) t)") {
   const double k_t = 2e4, w = 1 + 2 * lever * lever, swing = std::sqrt(w * k_t / mass), slip = 0.01;
   for (const bool chooses : {true, false}) {

@@ -85,15 +85,26 @@ TEST_CASE("a spring pushes with k times the overlap, and friction is bound by th
   CHECK(solve(law, -2e-3, 0, {-0.5, 1, 0}, {-0.5, 1, 0}).impulse.norm() == 0);  // an impact has no duration
 }
 
-TEST_CASE("a damper acts by the mean of the velocities before and after, and never pulls") {
+TEST_CASE("a damper acts by a mean of the velocities before and after, and never pulls") {
   ContactLaw law;
   law.condition = NormalCondition::penalty;
   law.spring = {.stiffness = 1e5, .damping = 400, .exponent = 1.5};
   const double d = 2e-3, c = 400 * std::sqrt(d), elastic = 1e5 * d * std::sqrt(d);
   const Solved pressed = solve(law, -d, h, {-0.5, 0, 0}, {-0.51, 0, 0});
-  const double mean = 0.5 * (-0.5 + pressed.velocity[0]);
+  const double weight = damper_weight(h * c / mass);
+  const double mean = (1 - weight) * -0.5 + weight * pressed.velocity[0];
   CHECK(pressed.impulse[0] == Approx(h * (elastic - c * mean)).epsilon(1e-12));
   CHECK(solve(law, -d, h, {5, 0, 0}, {5, 0, 0}).impulse[0] == 0);  // elastic - c mean is a pull
+}
+
+TEST_CASE("a damper alone lets a speed decay as exp(-c h/m), however strong it is") {
+  ContactLaw law;
+  law.condition = NormalCondition::penalty;
+  for (const double decay : {1e-6, 0.00999, 0.01001, 0.3, 2.0, 20.0, 1e6}) {
+    law.spring = {.stiffness = 1e-6, .damping = decay * mass / h};
+    const Solved slowed = solve(law, -1e-9, h, {-0.5, 0, 0}, {-0.5, 0, 0});
+    CHECK(slowed.velocity[0] == Approx(-0.5 * std::exp(-decay)).epsilon(1e-12).margin(1e-14));
+  }
 }
 
 TEST_CASE("a tangential spring holds by its stretch, up to the friction of the push") {
