@@ -64,7 +64,7 @@ void find_parts(const Placed3& a, const Placed3& b, FacingPair& pair, Planes pla
 
 /// Newton's method for the normal of a pair, until one of the parts is plane.
 void make_exact(const Placed3& a, const Placed3& b, FacingPair& pair, Planes planes) {
-  constexpr int most_steps = 6;
+  constexpr int most_steps = 10;
   constexpr double exact = 1e-15;
   Vec3& normal = pair.apart.normal;
   const double size = std::max(a.shape.bound, b.shape.bound);

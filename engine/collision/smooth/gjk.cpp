@@ -25,14 +25,32 @@ class Simplex {
                        [&](const SupportPoint& p) { return p.w == w; });
   }
 
-  /// Adds a point and keeps those that span the nearest place.
+  /// Adds a point and keeps those that span the nearest place: the new one is one of them.
   void add(const SupportPoint& point) {
     point_[count_++] = point;
+    keep_nearest(1 << (count_ - 1));
+  }
+
+  /// Moves A - B and keeps the points that span the nearest place now.
+  void move(const Vec3& by) {
+    for (int i = 0; i < count_; ++i) point_[i].w += by;
+    keep_nearest(1);
+  }
+
+  Vec3 on_a() const {
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < count_; ++i) sum += share_[i] * point_[i].on_a;
+    return sum;
+  }
+
+ private:
+  /// Of the sets of points from a first one on, as bits, the one that spans the nearest place.
+  void keep_nearest(int first) {
     const int all = (1 << count_) - 1;
     double least = std::numeric_limits<double>::infinity();
     int best = all;
     std::array<double, 4> best_shares{};
-    for (int some = 1 << (count_ - 1); some <= all; ++some) {  // the sets with the new point
+    for (int some = first; some <= all; ++some) {
       std::array<double, 4> shares{};
       Vec3 place = Vec3::Zero();
       if (!spans(some, shares, place) || place.squaredNorm() >= least) continue;
@@ -50,13 +68,6 @@ class Simplex {
     count_ = kept;
   }
 
-  Vec3 on_a() const {
-    Vec3 sum = Vec3::Zero();
-    for (int i = 0; i < count_; ++i) sum += share_[i] * point_[i].on_a;
-    return sum;
-  }
-
- private:
   /// The place nearest to the origin on the line, plane or space through some points, if it lies between
   /// them.
   bool spans(int some, std::array<double, 4>& shares, Vec3& place) const {
@@ -110,37 +121,53 @@ class Simplex {
   Vec3 nearest_ = Vec3::Zero();
 };
 
-struct Nearest {
-  Vec3 place = Vec3::Zero();  ///< of A - B + shift; zero: the origin is inside
-  Vec3 on_a = Vec3::Zero();
+/// Finds the place of A - B + shift that is nearest to the origin, for one shift after the other.
+class NearestPlace {
+ public:
+  NearestPlace(const Placed3& a, const Placed3& b, const Vec3& shift, const Vec3& first)
+      : a_(a), b_(b), shift_(shift) {
+    simplex_.add(support(-first));
+  }
+
+  /// The place; zero: the origin is inside. If the distance is below `enough` [m], a place that is not
+  /// farther than that is enough. `error`: of the square of the distance, as a share of it.
+  Vec3 find(double enough, double error) {
+    constexpr int most_iterations = 100;
+    for (int i = 0; i < most_iterations; ++i) {
+      const Vec3 v = simplex_.nearest();
+      const double square = v.squaredNorm();
+      if (square < enough * enough) break;
+      const SupportPoint point = support(-v);
+      if (!(square > 0) || square - v.dot(point.w) <= error * square || simplex_.has(point.w)) break;
+      Simplex next = simplex_;
+      next.add(point);
+      if (next.is_inside()) return Vec3::Zero();
+      if (!(next.nearest().squaredNorm() < square)) break;  // no more than rounding is left
+      simplex_ = next;
+    }
+    return simplex_.nearest();
+  }
+
+  void move_to(const Vec3& shift) {
+    simplex_.move(shift - shift_);
+    shift_ = shift;
+  }
+
+  Vec3 on_a() const { return simplex_.on_a(); }
+
+ private:
+  SupportPoint support(const Vec3& towards) const {
+    const Vec3 on_a = a_.support(towards);
+    return {on_a - b_.support(-towards) + shift_, on_a};
+  }
+
+  const Placed3& a_;
+  const Placed3& b_;
+  Vec3 shift_;
+  Simplex simplex_;
 };
 
-/// The place of A - B + shift that is nearest to the origin. If the distance is below `enough` [m], a place
-/// that is not farther than that is enough.
-Nearest nearest_place(const Placed3& a, const Placed3& b, const Vec3& shift, const Vec3& first,
-                      double enough = 0) {
-  constexpr int most_iterations = 100;
-  constexpr double exact = 1e-14;  // share of the square of the distance
-  const auto support = [&](const Vec3& towards) -> SupportPoint {
-    const Vec3 on_a = a.support(towards);
-    return {on_a - b.support(-towards) + shift, on_a};
-  };
-  Simplex simplex;
-  simplex.add(support(-first));
-  for (int i = 0; i < most_iterations; ++i) {
-    const Vec3 v = simplex.nearest();
-    const double square = v.squaredNorm();
-    if (square < enough * enough) break;
-    const SupportPoint point = support(-v);
-    if (!(square > 0) || square - v.dot(point.w) <= exact * square || simplex.has(point.w)) break;
-    Simplex next = simplex;
-    next.add(point);
-    if (next.is_inside()) return {};
-    if (!(next.nearest().squaredNorm() < square)) break;  // no more than rounding is left
-    simplex = next;
-  }
-  return {simplex.nearest(), simplex.on_a()};
-}
+constexpr double exact = 1e-14;  // of the square of a distance: its direction is good to 1e-7
 
 double distance_along(const Placed3& a, const Placed3& b, const Vec3& normal) {
   return normal.dot(a.support(-normal) - b.support(normal));
@@ -185,20 +212,24 @@ class Guesses {
 /// Improves a normal of cores that are nearer than `back` or overlap.
 Separation improved(const Placed3& a, const Placed3& b, const Vec3& guess, double back) {
   constexpr int most_turns = 40;
-  constexpr double settled = 1e-6;
+  constexpr double settled = 1e-6, of_turn = 0.01;
   Separation found{guess, 0, a.support(-guess)};
+  NearestPlace nearest(a, b, back * guess, guess);
+  double turned = 1;
   for (int i = 0; i < most_turns; ++i) {
-    const Nearest moved = nearest_place(a, b, back * found.normal, found.normal);
-    const double length = moved.place.norm();
+    const double error = std::max(exact, of_turn * of_turn * turned * turned);
+    const Vec3 place = nearest.find(0, error);
+    const double length = place.norm();
     if (length < 0.3 * back) {
       back *= 4;
-      continue;
+    } else {
+      const Vec3 normal = place / length;
+      turned = (normal - found.normal).norm();
+      found.normal = normal;
+      found.on_a = nearest.on_a();
+      if (turned < settled && error == exact) break;
     }
-    const Vec3 normal = moved.place / length;
-    const double turned = (normal - found.normal).norm();
-    found.normal = normal;
-    found.on_a = moved.on_a;
-    if (turned < settled) break;
+    nearest.move_to(back * found.normal);
   }
   found.distance = distance_along(a, b, found.normal);
   return found;
@@ -211,16 +242,16 @@ Separation separation(const Placed3& a, const Placed3& b) {
   const Vec3 between = a.pose.x - b.pose.x;
   const double small = std::min(a.shape.bound, b.shape.bound);
   const double back = share * (small > 0 ? small : std::max(a.shape.bound, b.shape.bound));
-  const Nearest nearest =
-      nearest_place(a, b, Vec3::Zero(), between.norm() > 0 ? between : Vec3::UnitZ(), touching * back);
-  const double length = nearest.place.norm();
+  NearestPlace nearest(a, b, Vec3::Zero(), between.norm() > 0 ? between : Vec3::UnitZ());
+  const Vec3 place = nearest.find(touching * back, exact);
+  const double length = place.norm();
   if (length > back) {
-    const Vec3 normal = nearest.place / length;
-    return {normal, distance_along(a, b, normal), nearest.on_a};
+    const Vec3 normal = place / length;
+    return {normal, distance_along(a, b, normal), nearest.on_a()};
   }
   Separation best;
   best.distance = -std::numeric_limits<double>::infinity();
-  if (length > touching * back) best = improved(a, b, nearest.place / length, back);
+  if (length > touching * back) best = improved(a, b, place / length, back);
   const Guesses guesses(a, b);
   for (int i = 0; i < Guesses::count && best.distance < -1e-3 * back; ++i) {
     const Separation next = improved(a, b, guesses.normal(i), back);
