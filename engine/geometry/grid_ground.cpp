@@ -71,8 +71,11 @@ Vec3 GridGround::vertex(std::uint64_t index) const {
   return place(static_cast<int>(index % columns), static_cast<int>(index / columns));
 }
 
+/// A cell of the apron has ground if the own cell beside it has.
 bool GridGround::has_ground(int column, int row) const {
   if (column < 0 || row < 0 || column + 1 >= grid_.columns || row + 1 >= grid_.rows) return false;
+  column = std::clamp(column, 1, grid_.columns - 3);
+  row = std::clamp(row, 1, grid_.rows - 3);
   return !std::isnan(grid_.at(column, row)) && !std::isnan(grid_.at(column + 1, row)) &&
          !std::isnan(grid_.at(column, row + 1)) && !std::isnan(grid_.at(column + 1, row + 1));
 }

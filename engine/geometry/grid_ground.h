@@ -11,7 +11,7 @@ namespace flyrock {
 /// keep their least and greatest heights, so that a query over empty air ends early.
 ///
 /// Bodies that hang over the border of the grid need ground there: the outermost cells are an apron, which
-/// continues the ground level for `apron` m. Only facets() and count() see it; the ground ends at its extent.
+/// continues the ground level for `apron` m. For points and places in plan the ground ends at its extent.
 class GridGround final : public Ground3 {
  public:
   static constexpr double apron = 100;  ///< m, more than any body reaches

@@ -18,11 +18,13 @@ class Ground3 {
  public:
   virtual ~Ground3() = default;
 
-  /// Appends the facets whose boxes meet `box`, in the order of their ids.
+  /// Appends the facets whose boxes meet `box`, in the order of their ids, also those on which bodies hang
+  /// over the border.
   virtual void facets(const Box3& box, std::vector<Facet>& out) const = 0;
-  /// The same without what is around them: `rim`, `beyond` and `edge` are not set. A point needs no more.
+  /// The same within the extent, without what is around them: `rim`, `beyond` and `edge` are not set. A point
+  /// needs no more.
   virtual void triangles(const Box3& box, std::vector<Facet>& out) const = 0;
-  /// How many these are, but at most `limit`: what a search needs to know before it asks for them.
+  /// How many facets() finds, but at most `limit`: what a search needs to know before it asks for them.
   virtual int count(const Box3& box, int limit) const = 0;
   /// Appends the facets whose boxes meet the segment from a to b in plan, in the order of their ids, as
   /// triangles().

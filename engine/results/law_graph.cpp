@@ -245,9 +245,9 @@ std::vector<LawGraph> graphs_of_spring(const ContactLaw& law, const LawBall& bal
     Posed posed{.law = law, .gap = -overlap};
     const double power = overlap_power(spring, overlap);
     const double force = power * std::max(0.0, spring.stiffness * overlap + spring.damping * rate);
-    // A damper acts by the mean velocity of a step: half of what the force changes is on each side of the
-    // rate.
-    posed.before = posed.free = {-rate - 0.5 * step_length * force / ball.mass, 0, 0};
+    // A damper acts by a mean velocity of a step: the force changes the velocity at its end.
+    const double end = damper_weight(step_length * spring.damping * power / ball.mass);
+    posed.before = posed.free = {-rate - end * step_length * force / ball.mass, 0, 0};
     return solve(ball, posed).impulse[0] / step_length;
   };
   LawGraph by_overlap{"by overlap", "overlap [m]", "force r_n / h [N]", {}};

@@ -25,12 +25,12 @@ inline double turning_overlap(const Spring& spring, double d, double v, double w
   return std::pow((spring.exponent + 1) * energy / spring.stiffness, 1 / (spring.exponent + 1));
 }
 
-/// The weight of the velocity at the end of a step in the mean velocity by which a damper acts, for X = h c
-/// d^(n-1) W_nn: nearly 1/2 for a weak damper. With it, a damper alone is exact: u = e^-X v^-.
-inline double damper_weight(double x) {
+/// The weight of the velocity at the end of a step in the mean velocity by which a damper acts, for its decay
+/// X = h c d^(n-1) W_nn: nearly 1/2 for a weak damper. With it, a damper alone is exact: u = e^-X v^-.
+inline double damper_weight(double decay) {
   constexpr double small = 1e-2;  // for which the series errs by less than 1e-14
-  if (x < small) return 0.5 + x / 12 - x * x * x / 720;
-  return -1 / std::expm1(-x) - 1 / x;
+  if (decay < small) return 0.5 + decay / 12 - decay * decay * decay / 720;
+  return -1 / std::expm1(-decay) - 1 / decay;
 }
 
 /// Makes contact a of a problem a spring, in a step of length h [s] (0: an impact, in which a spring does
@@ -40,9 +40,7 @@ inline double damper_weight(double x) {
 /// weight y,
 ///   r_n = max(0, h (k d^n - c d^(n-1) v_m)),
 /// which is Signorini's condition for a row of the problem: with x = y h c d^(n-1) W_nn,
-///   0 <= r_n _|_ W_nn r_n + x (W_nt r_t + couplings + q_n + (1/y - 1) v^-) / (1 + x) - h k d^n W_nn / (1 +
-///   x)
-///     >= 0.
+///   0 <= r_n _|_ W_nn r_n + (x (W_nt r_t + couplings + q_n + (1/y - 1) v^-) - h k d^n W_nn) / (1 + x) >= 0.
 /// A tangential spring is friction on the row W_tt (r_t + h k_t s): it sticks at r_t = -h k_t s.
 template <int D>
 void set_spring(const Spring& spring, double d, const Eigen::Matrix<double, D - 1, 1>& stretch, double h,

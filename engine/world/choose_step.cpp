@@ -7,6 +7,15 @@
 
 namespace flyrock {
 
+namespace {
+
+/// The longest step that gives a rate [rad/s] enough steps a period.
+double enough_steps(double rate) {
+  return rate > 0 ? 2 * pi / steps_a_period / rate : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
 template <int D>
 double World<D>::step_length() {
   if (!chooses_steps()) return settings_.time_step;
@@ -43,21 +52,17 @@ double World<D>::fastest_breath() const {
   return fastest;
 }
 
-/// The longest step that gives a rate [rad/s] enough steps a period.
-double enough_steps(double rate) {
-  return rate > 0 ? 2 * pi / steps_a_period / rate : std::numeric_limits<double>::infinity();
-}
-
-/// The longest step for the dampers of the last step or impact [s]: enough steps for a speed to decay, or as
-/// long as what the contact errs in place is small, because the speed has decayed. Reads after_.
+/// The longest step for the dampers of the last step or impact [s]: enough steps for a speed to decay, or so
+/// long that a contact errs in place by little, once its speed has decayed. Reads after_.
 template <int D>
 void World<D>::limit_by_dampers() {
   constexpr double small = 0.01;  // of the tolerance
   longest_of_dampers_ = std::numeric_limits<double>::infinity();
   for (std::size_t a = 0; a < damper_rates_.size(); ++a) {
     const double decays = enough_steps(damper_rates_[a]);
-    const double place = small * settings_.step_tolerance * 2 * bodies[contacts_[a].candidate].radius;
-    const double changes = std::abs(after_[a][0] - contacts_[a].before[0]);
+    const Contact& c = contacts_[a];
+    const double place = small * settings_.step_tolerance * contact_size(c.candidate, c.antagonist);
+    const double changes = std::abs(after_[a][0] - c.before[0]);
     if (changes > 0) longest_of_dampers_ = std::min(longest_of_dampers_, std::max(decays, place / changes));
   }
 }

@@ -43,7 +43,7 @@ void World<D>::apply_spring(int a, double h) {
   const double stiffest =
       spring.tangential_stiffness * problem_.contacts[a].w.diagonal().template segment<D - 1>(1).maxCoeff();
   const double damping = spring.damping * power, swings = std::sqrt(stiffness * w);
-  const bool creeps = damping * w > 2 * swings;  // without swinging, by its force over its damper
+  const bool creeps = damping * w > 2 * swings;  // nothing swings: the rate is k/c
   spring_rate_ = std::max({spring_rate_, creeps ? stiffness / damping : swings, std::sqrt(stiffest)});
   damper_rates_[a] = damping * w;
 
@@ -116,7 +116,7 @@ template <int D>
 void World<D>::measure_after(double h) {
   after_.resize(contacts_.size());
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) after_[a] = velocity_after(a, h);
-  limit_by_dampers();
+  if (chooses_steps()) limit_by_dampers();
 }
 
 /// The work of contact a on its bodies in an impact or step [J].
@@ -238,7 +238,7 @@ void World<D>::audit_energy(double h) {
       const double energy = elastic_energy(spring, overlap) +
                             0.5 * speed * speed / problem_.contacts[a].w(0, 0) +
                             0.5 * spring.tangential_stiffness * contact.stretch.squaredNorm();
-      const double place = settings_.step_tolerance * 2 * bodies[contact.candidate].radius;
+      const double place = settings_.step_tolerance * contact_size(contact.candidate, contact.antagonist);
       const double angle = h * spring_rate_;
       const double force = spring.stiffness * overlap_power(spring, overlap) * overlap +
                            spring.tangential_stiffness * contact.stretch.norm();

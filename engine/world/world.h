@@ -299,7 +299,7 @@ class World {
   double last_step_ = 0;    ///< s
   double reach_time_ = 0;   ///< s, the longer of this step and the last one; fixed steps: their length
   double theta_h_ = 0;      ///< s, theta times the step that is solved; 0 in an impact
-  double spring_rate_ = 0;  ///< rad/s, the greatest of the springs in the last step or impact
+  double spring_rate_ = 0;  ///< rad/s, the greatest rate of the springs in the last step or impact
   std::vector<double> damper_rates_;  ///< rad/s, c W of each of its contacts
   double longest_of_dampers_ = std::numeric_limits<double>::infinity();  ///< s
   double energy_given_ = 0;                                              ///< J

@@ -67,7 +67,7 @@ TEST_CASE("a wall of a hundred bricks stands and does not sink", "[slow]") {
   }
 }
 
-TEST_CASE("a block on a slope stays or slides, on the right side of sticking, it does not creep") {
+TEST_CASE("a block on a slope stays or slides, on the right side of sticking, and does not creep") {
   constexpr double h = 1.0 / 240, mu = 0.5;
   for (const double share : {0.98, 1.02}) {
     const double slope = std::atan(share * mu);

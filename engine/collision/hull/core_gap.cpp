@@ -1,7 +1,4 @@
 // Gaps of known features of balls, pills and polyhedra in 3D.
-#include <cmath>
-#include <optional>
-
 #include "collision/pill/closest.h"
 #include "collision/rules.h"
 
@@ -19,16 +16,18 @@ Vec3 edge_outward(const Placed3& shape, int edge) {
   return shape.normal(shape.shape.edges[edge].left) + shape.normal(shape.shape.edges[edge].right);
 }
 
-/// The distance of two edges along the normal across both. The axis of a pill is never below another edge;
-/// its distance is that of the nearest places, because the lines of edges that are nearly parallel may cross
-/// far beyond their ends.
+/// Between the nearest places of two edges, of which the first starts `away` from the second. The axis of a
+/// pill and an edge may be nearly parallel: their lines would cross far beyond their ends.
+Vec3 between_nearest(const Vec3& away, const Vec3& along_a, const Vec3& along_b) {
+  const auto [s, t] = nearest_of_segments(away, along_a, Vec3::Zero(), along_b);
+  return away + s * along_a - t * along_b;
+}
+
+/// The distance of two edges along the normal across both. The axis of a pill is never below another edge.
 double edge_edge(const Placed3& a, int ea, const Placed3& b, int eb) {
   const Vec3 away = edge_start(a, ea) - edge_start(b, eb);
-  if (a.shape.faces.empty() || b.shape.faces.empty()) {
-    const Vec3 along_a = edge_vector(a, ea), along_b = edge_vector(b, eb);
-    const auto [s, t] = nearest_of_segments(edge_start(a, ea), along_a, edge_start(b, eb), along_b);
-    return (away + s * along_a - t * along_b).norm();
-  }
+  if (a.shape.faces.empty() || b.shape.faces.empty())
+    return between_nearest(away, edge_vector(a, ea), edge_vector(b, eb)).norm();
   const Vec3 da = edge_direction(a, ea), db = edge_direction(b, eb);
   Vec3 normal = da.cross(db);
   const Vec3 from_b_to_a = edge_outward(b, eb) - edge_outward(a, ea);
@@ -88,9 +87,15 @@ double core_gap_to_ground(Workspace&, const Placed3& contactor, FeatureId featur
   const Vec3 along = f.along(rim).normalized();
   if (kind_of(feature) == FeatureKind::vertex)
     return from_rim(f, rim, contactor.point(index_of(feature))) - radius;
+  const Vec3 outward = f.normal + f.beyond[rim],
+             away = edge_start(contactor, index_of(feature)) - f.corner[rim];
+  if (contactor.shape.faces.empty()) {
+    const Vec3 apart = between_nearest(away, edge_vector(contactor, index_of(feature)), f.along(rim));
+    return (apart.dot(outward) < 0 ? -1 : 1) * apart.norm() - radius;
+  }
   Vec3 normal = along.cross(edge_direction(contactor, index_of(feature)));
-  if (normal.dot(f.normal + f.beyond[rim]) < 0) normal = -normal;
-  return normal.normalized().dot(edge_start(contactor, index_of(feature)) - f.corner[rim]) - radius;
+  if (normal.dot(outward) < 0) normal = -normal;
+  return normal.normalized().dot(away) - radius;
 }
 
 double core_gap(Workspace&, const Placed3& candidate, FeatureId feature, const Placed3& antagonist,

@@ -53,8 +53,8 @@ class CircleSearch {
     nearest_ = pair.normal;
     touches_ = pair.apart.distance - a_.shape.radius - b_.shape.radius < closed * search_.size;
     const Patch &of_a = pair.of_a, &of_b = pair.of_b;
-    if (of_b.normal.squaredNorm() > 0) attempt(with_b(of_b.normal, sb, of_b.feature.index));
-    if (of_a.normal.squaredNorm() > 0) attempt(with_a(-of_a.normal, sa, of_a.feature.index));
+    if (of_b.is_plane()) attempt(with_b(of_b.normal, sb, of_b.feature.index));
+    if (of_a.is_plane()) attempt(with_a(-of_a.normal, sa, of_a.feature.index));
     if (of_a.kind == Patch::Kind::segment && of_b.kind == Patch::Kind::segment)
       attempt(across(of_a.places[1].at - of_a.places[0].at, sa, of_b.places[1].at - of_b.places[0].at, sb));
     attempt(with_b(nearest_, sb));
@@ -228,8 +228,8 @@ class CircleSearch {
   GapScale scale_;
   AxisState axis_a_, axis_b_;
   HeldPair held_;
-  Vec3 nearest_ = Vec3::Zero();            ///< the normal of the pair
-  bool touches_ = false;                   ///< along it
+  Vec3 nearest_ = Vec3::Zero();            ///< the normal of contacts of the pair
+  bool touches_ = false;                   ///< along the normal that separates the cores most
   std::optional<double> sunk_since_;       ///< s, when held pieces were first met,
   double sunk_ = forever;                  ///< m, and how deep they lay then along the best direction
   std::vector<PieceHeight>&of_a_, &of_b_;  ///< along the direction at hand

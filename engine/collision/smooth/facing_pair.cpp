@@ -54,8 +54,6 @@ double distance_along(const Placed3& a, const Placed3& b, const Vec3& normal) {
   return normal.dot(a.support(-normal) - b.support(normal));
 }
 
-bool is_plane(const Patch& patch) { return patch.normal.squaredNorm() > 0; }
-
 /// The parts that face each other along the normal of a pair.
 void find_parts(const Placed3& a, const Placed3& b, FacingPair& pair, Planes planes) {
   pair.of_a = support_feature(a, -pair.apart.normal, planes);
@@ -71,7 +69,7 @@ void make_exact(const Placed3& a, const Placed3& b, FacingPair& pair, Planes pla
   find_parts(a, b, pair, planes);
   for (const bool with_lines : {true, false}) {
     bool better = false;
-    for (int i = 0; i < most_steps && !is_plane(pair.of_a) && !is_plane(pair.of_b); ++i) {
+    for (int i = 0; i < most_steps && !pair.of_a.is_plane() && !pair.of_b.is_plane(); ++i) {
       const Vec3 next = next_normal(a, pair.of_a, b, pair.of_b, normal, least_share * size, with_lines);
       const double distance = distance_along(a, b, next), turned = (next - normal).norm();
       if (!(distance >= pair.apart.distance - 1e-12 * size) || turned > 0.1) break;
@@ -92,9 +90,8 @@ FacingPair facing_pair(const Placed3& a, const Placed3& b) {
   FacingPair pair{separation(a, b), {}, {}, {}};
   make_exact(a, b, pair, Planes::with);
   pair.normal = pair.apart.normal;
-  if (!is_plane(pair.of_a) && !is_plane(pair.of_b)) return pair;
-  FacingPair beside = pair;
-  if (is_plane(pair.of_b)) {
+  if (!pair.of_a.is_plane() && !pair.of_b.is_plane()) return pair;
+  if (pair.of_b.is_plane()) {
     pair.normal = pair.of_b.normal;
     pair.of_a = support_feature(a, -pair.normal);
   } else {
@@ -107,6 +104,7 @@ FacingPair facing_pair(const Placed3& a, const Placed3& b) {
     pair.apart.normal = pair.normal;
     pair.apart.distance = over_plane;
   } else {  // a part of one core is below the plane, but beside the face or cap
+    FacingPair beside{pair.apart, {}, {}, {}};
     make_exact(a, b, beside, Planes::without);
     pair.apart = beside.apart;
   }

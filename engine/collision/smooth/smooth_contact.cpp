@@ -34,8 +34,7 @@ class MeetingPatches {
   double height_at(const Patch& patch, const Vec3& at) const {
     const Vec3& on = patch.kind == Patch::Kind::disc ? patch.centre : patch.places[0].at;
     const double height = n_.dot(on);
-    if (patch.normal.squaredNorm() > 0)
-      return height - patch.normal.dot(flat(at - on)) / patch.normal.dot(n_);
+    if (patch.is_plane()) return height - patch.normal.dot(flat(at - on)) / patch.normal.dot(n_);
     if (patch.kind == Patch::Kind::point) return height;
     const Vec3 along = patch.places[1].at - on, across = flat(along);
     return height + n_.dot(along) * std::clamp(across.dot(at - on) / across.squaredNorm(), 0.0, 1.0);
@@ -212,7 +211,7 @@ void smooth_contacts(Workspace&, const Placed3& a, const Placed3& b, double reac
   const Vec3& n = pair.normal;
   MeetingPatches meetings(a, of_a, b, of_b, n, pair.apart.on_a);
   const std::size_t begin = out.size();
-  const bool planes = of_a.normal.squaredNorm() > 0 && of_b.normal.squaredNorm() > 0;
+  const bool planes = of_a.is_plane() && of_b.is_plane();
   for (const Meeting& m : meetings.find()) {
     const double distance =
         m.of_a ? n.dot(m.at) - meetings.height_at(of_b, m.at) : meetings.height_at(of_a, m.at) - n.dot(m.at);

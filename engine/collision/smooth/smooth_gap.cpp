@@ -79,7 +79,7 @@ double smooth_gap(Workspace& work, const Placed3& a, FeatureId feature, const Pl
   if (const auto of_a = place_of(a, feature, -normal)) return normal.dot(*of_a - b.support(normal)) - radii;
   const auto of_b = place_of(b, against, normal);
   if (!of_b) return pair.apart.distance - radii;
-  if (pair.of_a.normal.squaredNorm() > 0)  // over a face or cap
+  if (pair.of_a.is_plane())  // over a face or cap
     return pair.of_a.normal.dot(*of_b - place_on(pair.of_a)) - radii;
   return normal.dot(a.support(-normal) - *of_b) - radii;
 }

@@ -41,6 +41,8 @@ struct Patch {
   int circle = 0;              ///< of a disc
   Vec3 centre = Vec3::Zero();
   double radius = 0;  ///< of a disc; a polygon: of the contactor
+
+  bool is_plane() const { return kind == Kind::polygon || kind == Kind::disc; }
 };
 
 /// The part of the core that faces a direction, up to `flush_angle`: a face or cap, an edge or the line of a

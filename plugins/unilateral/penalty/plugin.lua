@@ -6,8 +6,8 @@ return fr.plugin {
   doc = "A spring and a damper in place of a constraint, as in smooth discrete elements: with the overlap d, F = k d^n + "
     .. "c d^(n-1) d', never a pull. The friction of the material bounds the tangential force: by Coulomb's law on the slip, or "
     .. "by a tangential spring F_t = k_t s that slides at mu F. Bodies overlap, by m g / k at rest on one contact with n = 1. "
-    .. "Chosen steps (`time_step: auto`) follow the spring; a fixed step must be below 2 sqrt(m/k) to be stable, and about a "
-    .. "tenth of that to be accurate. The law of restitution of the material is not used: only the damper takes energy.",
+    .. "Chosen steps (`time_step: auto`) follow the spring; a fixed step must be below 2 sqrt(m/k) to be stable (below 2 c/k "
+    .. "where c > 2 sqrt(k m)), and about a tenth of that to be accurate. The law of restitution of the material is not used: only the damper takes energy.",
   source = "n = 1, c: Kelvin and Voigt; n = 1.5: H. Hertz, 1881; k_t: P. A. Cundall and O. D. L. Strack, A discrete numerical "
     .. "model for granular assemblies, 1979",
   params = {

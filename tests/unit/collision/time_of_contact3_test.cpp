@@ -51,7 +51,7 @@ double separation(const Contactor3& a, const Motion3& ma, const Contactor3& b, c
 }  // namespace
 
 TEST_CASE(
-    "in space a pair released at gap 0 with a speed away returns, without, it touches at once or never") {
+    "in space a pair released at gap 0 returns if it has a speed away, else it touches at once or never") {
   const FeatureId ground = feature_id(0, FeatureKind::face, 0);
   std::vector<HeldContact> held;
   for (int i = 0; i < 8; ++i) held.push_back({feature_id(0, FeatureKind::vertex, i), ground});

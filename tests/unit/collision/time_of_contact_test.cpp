@@ -41,7 +41,7 @@ double lowest(const Motion2& motion, double t) {
 
 }  // namespace
 
-TEST_CASE("a pair released at gap 0 with a speed away returns, without, it touches at once or never") {
+TEST_CASE("a pair released at gap 0 returns if it has a speed away, else it touches at once or never") {
   const Terrain2 ground = level();
   const HeldContact held[] = {{vertex_id(0, 0), segment_id(0)}};
   TouchSearch search;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "geometry/grid_ground.h"
 #include "samples.h"
 
 using namespace flyrock;
@@ -35,7 +36,10 @@ Mesh mesh_of(const HeightGrid& grid, bool with_apron = false) {
   mesh.parts = {""};
   const int out = with_apron ? 1 : 0, columns = grid.columns + 2 * out, rows = grid.rows + 2 * out;
   const auto coordinate = [&](double corner, int k, int count) {
-    return corner + std::clamp(k, 0, count - 1) * grid.cell + (k < 0 ? -100 : k < count ? 0 : 100);
+    return corner + std::clamp(k, 0, count - 1) * grid.cell +
+           (k < 0       ? -GridGround::apron
+            : k < count ? 0
+                        : GridGround::apron);
   };
   for (int r = -out; r < grid.rows + out; ++r)
     for (int c = -out; c < grid.columns + out; ++c)
@@ -163,6 +167,35 @@ TEST_CASE(
   CHECK(ground->height(-3 + 14 * 0.25, 2 + 10 * 0.25));
   CHECK(whole->depth({-2.5, 3, bumps(-2.5, 3) - 0.5}) == Approx(0.5));
   CHECK(whole->depth({-2.5, 3, bumps(-2.5, 3) + 0.5}) == 0);
+}
+
+TEST_CASE("a grid of one cell continues level beyond its border with its parts, but not beside a hole") {
+  HeightGrid shape = grid(2, 2, 1);
+  shape.parts = {"west", "east"};
+  shape.part = {0, 1, 0, 1};
+  const auto at_border = [](const Ground3& ground, double x, double y) {
+    std::vector<Facet> found;
+    ground.facets({{x - 0.1, y - 0.1, -9}, {x + 0.1, y + 0.1, 9}}, found);
+    return found;
+  };
+  const auto ground = make_ground(shape);
+  for (const double y : {1.5, 2.5, 3.5}) {
+    const std::vector<Facet> west = at_border(*ground, -9, y), east = at_border(*ground, 9, y);
+    REQUIRE(west.size() == 2);
+    REQUIRE(east.size() == 2);
+    for (const Facet& f : west) CHECK(f.normal.x() == 0);
+    CHECK(ground->part(west[0].id) == 0);
+    CHECK(ground->part(east[0].id) == 1);
+  }
+  CHECK(at_border(*ground, -2.5, 2.5).size() == 2);
+  CHECK(!ground->height(-3.1, 2.5));
+  CHECK(ground->extent().high.x() == -2);
+  HeightGrid holed = grid(3, 2, 1);
+  holed.heights[5] = nothing;
+  const auto beside = make_ground(holed);
+  CHECK(at_border(*beside, -9, 2.5).size() == 2);
+  CHECK(at_border(*beside, 9, 2.5).empty());
+  CHECK(at_border(*beside, -1.5, 1.5).empty());
 }
 
 TEST_CASE("under an overhang the ground is what lies below") {

@@ -81,8 +81,7 @@ TEST_CASE("rocks that left are counted apart, with them the scores count where t
   CHECK(after.bias == before.bias);
   CHECK(before.with_censored.bias == before.bias);
   CHECK(before.with_censored.energy == before.energy);
-  // A share p of the trials is d farther: the bias grows by p d, the energy distance by 2 p d - 2 p (1 - p)
-  // d.
+  // A share p of the trials is d farther: the bias grows by p d, the energy distance by 2 p^2 d.
   constexpr double p = 1 / (trials + 1.0), d = 9970;
   CHECK(after.with_censored.bias == Approx(before.bias + p * d).margin(0.2));
   CHECK(after.with_censored.energy == Approx(after.energy + 2 * p * p * d).margin(0.02));
