@@ -117,12 +117,13 @@ Hold Held::hold(const Vec3& direction, const Features& of, int i, int j, const M
                 const MovingState& sb) const {
   const bool of_edges = of.of_a && of.of_b;
   const bool exactly = of_edges ? holds_edges(of, i, j) : holds_on(of, of.of_a ? j : i);
-  if (by_ == CoreSearch::pill) return exactly ? Hold::exactly : for_now(direction, i, j, sa, sb);
+  if (by_ == CoreSearch::pill) return exactly ? Hold::exactly : drifts_from(direction, i, j, sa, sb);
   if (of_edges && b_.facet && !along_rim(direction, i, j, sa)) return Hold::no;
   return exactly ? Hold::exactly : of_edges && b_.facet ? Hold::for_now : Hold::no;
 }
 
-Hold Held::for_now(const Vec3& direction, int i, int j, const MovingState& sa, const MovingState& sb) const {
+Hold Held::drifts_from(const Vec3& direction, int i, int j, const MovingState& sa,
+                       const MovingState& sb) const {
   const auto is_vertex = [](FeatureId feature) { return kind_of(feature) == FeatureKind::vertex; };
   const auto on_ground = [&](const HeldOnGround& h) {
     if (contactor_of(h.feature) != a_.index || !contains(a_, h.feature, i)) return false;
@@ -146,7 +147,7 @@ Hold Held::for_now(const Vec3& direction, int i, int j, const MovingState& sa, c
   return is_held ? Hold::for_now : Hold::no;
 }
 
-bool Held::touches(int face) const {
+bool Held::is_on_ground(int face) const {
   const FeatureId feature = a_.id(FeatureKind::face, face);
   return std::any_of(b_.held.begin(), b_.held.end(),
                      [&](const HeldOnGround& h) { return h.feature == feature; });

@@ -1,6 +1,11 @@
 #pragma once
-// Which contacts hold two contactors apart when a search for their time of impact begins: the solver holds
-// their points, so the search must not stop at them.
+// Which contacts hold two contactors apart when a search for their time of impact begins. In a step the
+// solver holds their points, and the search passes over them; in flight they have just opened, and count from
+// gap 0.
+//
+// World::held_in_step and World::held fill TouchSearch::held. Here are the questions of pairs of cores (Held)
+// and of contactors with circles (HeldPair) in 3D. Balls, the plane, clouds and hollow walls have few
+// features that may touch: they ask TouchSearch::holds by their ids.
 
 #include <boost/container/small_vector.hpp>
 
@@ -37,7 +42,7 @@ class Held {
   /// Whether one holds the points exactly along a direction of one of the two; `point`: of the other.
   bool holds_on(const Features& of, int point) const;
   /// Whether a's face has a contact with the ground.
-  bool touches(int face) const;
+  bool is_on_ground(int face) const;
 
  private:
   /// Where a feature is: on a face, on the line of an edge, or at a point. World frame, metres.
@@ -52,7 +57,8 @@ class Held {
   bool holds_edges(const Features& of, int i, int j) const;
   bool over(FeatureId face, int i) const;
   bool along_rim(const Vec3& direction, int i, int j, const MovingState& state_of_a) const;
-  Hold for_now(const Vec3& direction, int i, int j, const MovingState& sa, const MovingState& sb) const;
+  /// Whether one holds the points now, along a normal that drifts from the direction.
+  Hold drifts_from(const Vec3& direction, int i, int j, const MovingState& sa, const MovingState& sb) const;
   bool of_b(FeatureId feature) const;
 
   const Moving3& a_;

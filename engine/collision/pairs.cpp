@@ -63,9 +63,10 @@ constexpr PairRules<2> line_with{mirrored_contacts<2, outline_contacts<2>>, mirr
                                  mirrored_touch<2, outline_touch<2>>};
 
 constexpr PairRules<3> balls{ball_contacts, core_gap, ball_touch};
-// One is a ball; the core is the first one, or the second.
-constexpr PairRules<3> ball_with{core_contacts, core_gap, ball_core_touch};
-constexpr PairRules<3> with_ball{mirrored_contacts<3, core_contacts>, core_gap, ball_core_touch};
+// One is a ball, the other a pill or a hull; the core (of a pill and a ball, the pill) is the first or
+// second.
+constexpr PairRules<3> core_first{core_contacts, core_gap, ball_core_touch};
+constexpr PairRules<3> core_second{mirrored_contacts<3, core_contacts>, core_gap, ball_core_touch};
 // One is a pill, and none a ball.
 constexpr PairRules<3> pill_with{core_contacts, core_gap, pill_touch};
 constexpr PairRules<3> with_pill{mirrored_contacts<3, core_contacts>, core_gap, pill_touch};
@@ -92,15 +93,15 @@ constexpr PairRules<2> pairs_2d[form_count<2>][form_count<2>] = {
   /* outline */ {line_with, line_with, line_with, apart<2>, apart<2>}};
 
 constexpr PairRules<3> pairs_3d[form_count<3>][form_count<3>] = {
-  //                ball       pill       hull       hollow    outline   smooth     half_space cloud
-  /* ball */       {balls,     with_ball, ball_with, inside,   on_mesh,  smooth,    inside,    apart<3>},
-  /* pill */       {ball_with, pill_with, pill_with, inside,   on_mesh,  smooth,    inside,    apart<3>},
-  /* hull */       {with_ball, with_pill, hulls,     inside,   on_mesh,  smooth,    inside,    apart<3>},
-  /* hollow */     {around,    around,    around,    apart<3>, apart<3>, around,    apart<3>,  apart<3>},
-  /* outline */    {mesh_with, mesh_with, mesh_with, apart<3>, apart<3>, mesh_with, apart<3>,  mesh_with},
-  /* smooth */     {smooth,    smooth,    smooth,    inside,   on_mesh,  smooth,    inside,    apart<3>},
-  /* half_space */ {around,    around,    around,    apart<3>, apart<3>, around,    apart<3>,  around},
-  /* cloud */      {apart<3>,  apart<3>,  apart<3>,  apart<3>, on_mesh,  apart<3>,  inside,    apart<3>}};
+  //                ball         pill         hull        hollow    outline   smooth     half_space cloud
+  /* ball */       {balls,       core_second, core_first, inside,   on_mesh,  smooth,    inside,    apart<3>},
+  /* pill */       {core_first,  pill_with,   pill_with,  inside,   on_mesh,  smooth,    inside,    apart<3>},
+  /* hull */       {core_second, with_pill,   hulls,      inside,   on_mesh,  smooth,    inside,    apart<3>},
+  /* hollow */     {around,      around,      around,     apart<3>, apart<3>, around,    apart<3>,  apart<3>},
+  /* outline */    {mesh_with,   mesh_with,   mesh_with,  apart<3>, apart<3>, mesh_with, apart<3>,  mesh_with},
+  /* smooth */     {smooth,      smooth,      smooth,     inside,   on_mesh,  smooth,    inside,    apart<3>},
+  /* half_space */ {around,      around,      around,     apart<3>, apart<3>, around,    apart<3>,  around},
+  /* cloud */      {apart<3>,    apart<3>,    apart<3>,   apart<3>, on_mesh,  apart<3>,  inside,    apart<3>}};
 
 constexpr FormRules<2> forms_2d[form_count<2>] = {
   /* ball */    {hull_part, hull_on_ground, hull_gap_to_ground, hull_touch_of_ground},

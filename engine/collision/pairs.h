@@ -1,7 +1,7 @@
 #pragma once
 // What meets what: contacts, gaps and times of impact of two contactors, or of one with the ground.
 //
-// pairs.cpp has the tables: form by form, the rules that answer, each in the folder of its form.
+// pairs.cpp has the tables: form by form, the rules that answer. rules.h says in which file each is.
 
 #include "collision/contact_motion.h"
 #include "collision/geometry.h"
@@ -52,8 +52,9 @@ void body_contacts(Workspace& work, const Placed<D>& candidate, const Placed<D>&
                    Contacts<D>& out, double turn = 0);
 
 /// The gap [m] between a feature of a contactor and one of the ground, or of another contactor, with the
-/// feature ids of the contacts, without a contact search. `normal`: about that of the contact, from which the
-/// search for the places of rims begins.
+/// feature ids of the contacts, without a contact search (plane/gaps_2d, hull/core_gap, smooth/smooth_gap,
+/// hollow/hollow_wall, outline/outline). `normal`: about that of the contact, from which the search for the
+/// places of rims begins.
 template <int D>
 double feature_gap(Workspace& work, const Placed<D>& contactor, FeatureId feature, const GroundIn<D>& ground,
                    FeatureId against, const Vec<D>& normal = Vec<D>::Zero());

@@ -15,7 +15,6 @@ namespace flyrock {
 /// safe_time.
 template <class Function>
 double safe_root(const Function& f, double slope, double end, const GapScale& scale, bool opened) {
-  constexpr double forever = std::numeric_limits<double>::infinity();
   const double start = f(0.0);
   if (start < -scale.deep && !opened) return 0;
   if (start <= scale.least && slope < 0) return 0;

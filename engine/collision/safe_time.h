@@ -7,6 +7,8 @@
 
 namespace flyrock {
 
+inline constexpr double forever = std::numeric_limits<double>::infinity();  ///< s
+
 /// The gaps at which a search for the time of impact treats a pair as closed or as deeply penetrating.
 struct GapScale {
   double least;  ///< m, a gap that counts as closed
@@ -18,7 +20,6 @@ struct GapScale {
 /// pair penetrates deeply along a direction, that direction does not separate it, however fast the gap opens.
 /// The exception is a held contact at the start (`just_opened`).
 inline double safe_time(double gap, double slope, double bend, const GapScale& scale, bool just_opened) {
-  constexpr double forever = std::numeric_limits<double>::infinity();
   if (gap < -scale.deep && !just_opened) return 0;
   if (gap <= scale.least) {
     if (slope < 0) return 0;
@@ -61,7 +62,7 @@ struct GapBound {
 /// search. The horizon ends the search only if it reaches that end.
 inline double within(double horizon, double left, double time) {
   if (time < horizon) return time;
-  return horizon >= left ? std::numeric_limits<double>::infinity() : horizon;
+  return horizon >= left ? forever : horizon;
 }
 
 }  // namespace flyrock

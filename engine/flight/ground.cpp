@@ -1,6 +1,5 @@
 #include "flight/ground.h"
 
-#include <cmath>
 #include <limits>
 
 namespace flyrock {

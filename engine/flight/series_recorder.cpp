@@ -1,6 +1,5 @@
 #include "flight/series_recorder.h"
 
-#include <cmath>
 #include <limits>
 
 #include "flight/body_state.h"

@@ -31,11 +31,13 @@ HeldContact held_contact(const WorldContact<D>& c, bool opened = false) {
   return held;
 }
 
-/// Whether two contacts have the same features of the same bodies.
+/// Whether a list has a contact with the same features of the same bodies.
 template <class Contact>
-bool is_same(const Contact& a, const Contact& b) {
-  return a.candidate == b.candidate && a.antagonist == b.antagonist && a.at.feature == b.at.feature &&
-         a.at.against == b.at.against;
+bool has_same(const std::vector<Contact>& list, const Contact& c) {
+  return std::any_of(list.begin(), list.end(), [&](const Contact& other) {
+    return other.candidate == c.candidate && other.antagonist == c.antagonist &&
+           other.at.feature == c.at.feature && other.at.against == c.at.against;
+  });
 }
 
 }  // namespace
@@ -49,28 +51,15 @@ double World<D>::contact_size(int candidate, int antagonist) const {
 }
 
 /// A body that keeps contact by its curvature, or while it turns about a vertex, opens a gap of at most g h^2
-/// / 8 in half a step before it leaves the ground.
+/// / 8 in half a step of length h before it leaves the ground.
+template <int D>
+double World<D>::reach_within(double h, int candidate, int antagonist) const {
+  return carry_share * contact_size(candidate, antagonist) + 0.25 * g_ * h * h;
+}
+
 template <int D>
 double World<D>::carry_reach(int candidate, int antagonist) const {
-  return carry_share * contact_size(candidate, antagonist) + 0.25 * g_ * reach_time_ * reach_time_;
-}
-
-/// The same for a step of h seconds alone [m].
-template <int D>
-double World<D>::reach_within(double h, const Contact& c) const {
-  return carry_share * contact_size(c.candidate, c.antagonist) + 0.25 * g_ * h * h;
-}
-
-/// Whether the last step or impact had a contact of the same features.
-template <int D>
-bool World<D>::was_there(const Contact& c) const {
-  return std::any_of(last_.begin(), last_.end(), [&](const Contact& old) { return is_same(old, c); });
-}
-
-/// Whether the step has a contact of the same features.
-template <int D>
-bool World<D>::is_solved(const Contact& c) const {
-  return std::any_of(contacts_.begin(), contacts_.end(), [&](const Contact& now) { return is_same(now, c); });
+  return reach_within(reach_time_, candidate, antagonist);
 }
 
 template <int D>
@@ -260,11 +249,12 @@ typename World<D>::Drift World<D>::keep_closed_at_start(double h) {
     const double gap = gap_at(c, true);
     // One that the last impact opened may close again at once; the search for touches takes it for closed.
     const bool is_near = gap > closed_alone && gap <= apart_share * contact_size(c.candidate, c.antagonist);
-    const double closed = c.carried || (is_near && was_there(c)) ? reach : closed_alone;
+    const double closed = c.carried || (is_near && has_same(last_, c)) ? reach : closed_alone;
     const double may_drift = 3 * reach;
     if (c.at.gap > reach || gap > closed || (!c.carried && gap < -may_drift && !is_deep(c, gap, true)))
       return true;
-    if (c.carried && !was_there(c) && gap - c.at.gap > 3 * reach_within(h, c) && gap > closed_alone)
+    if (c.carried && !has_same(last_, c) && gap - c.at.gap > 3 * reach_within(h, c.candidate, c.antagonist) &&
+        gap > closed_alone)
       return true;
     // On the next segment of the terrain, the gap at the start is measured to the line beyond the end of the
     // segment. The larger of the two gaps is therefore the true one.
@@ -374,7 +364,7 @@ std::span<const HeldContact> World<D>::held_in_step(int body, int other) {
   for (std::size_t a = 0; a < last_.size(); ++a) {
     const Contact& c = last_[a];
     if (c.candidate != body || c.antagonist != other) continue;
-    if (is_solved(c)) continue;
+    if (has_same(contacts_, c)) continue;
     const double gap = gap_at(c, true), size = contact_size(body, other);
     const bool opens = !c.carried && last_after_[a][0] > opening;
     const bool opened = gap > apart_share * size;
@@ -395,7 +385,7 @@ std::optional<double> World<D>::first_return(double h) {
   std::optional<double> first;
   for (std::size_t a = 0; a < last_.size(); ++a) {
     const Contact& c = last_[a];
-    if (c.law.condition == NormalCondition::penalty || has_rims(c) || is_solved(c)) continue;
+    if (c.law.condition == NormalCondition::penalty || has_rims(c) || has_same(contacts_, c)) continue;
     const double end = gap_at(c, false);
     if (end > -sunk * contact_size(c.candidate, c.antagonist) || !is_deep(c, end, false)) continue;
     const double start = std::max(gap_at(c, true), 0.0);
@@ -418,12 +408,10 @@ std::optional<double> World<D>::first_return(double h) {
   template double World<D>::gap_of_solver(const Contact&) const;                                   \
   template void World<D>::keep_closed(double);                                                     \
   template World<D>::Drift World<D>::keep_closed_at_start(double);                                 \
-  template double World<D>::reach_within(double, const Contact&) const;                            \
-  template bool World<D>::was_there(const Contact&) const;                                         \
+  template double World<D>::reach_within(double, int, int) const;                                  \
   template bool World<D>::has_rims(const Contact&) const;                                          \
   template Placed<D> World<D>::placed(int, FeatureId, bool) const;                                 \
   template bool World<D>::is_deep(const Contact&, double, bool);                                   \
-  template bool World<D>::is_solved(const Contact&) const;                                         \
   template std::optional<double> World<D>::first_return(double);                                   \
   template double World<D>::gap_at(const Contact&, bool) const;                                    \
   template World<D>::Overlap World<D>::deepest_overlap();                                          \

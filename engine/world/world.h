@@ -214,10 +214,8 @@ class World {
   void keep_closed(double share_of_size);
   std::span<const HeldContact> held_in_step(int body, int other);
   Drift keep_closed_at_start(double h);
-  double reach_within(double h, const Contact& contact) const;
-  bool was_there(const Contact& contact) const;
+  double reach_within(double h, int candidate, int antagonist) const;
   Placed<D> placed(int body, FeatureId feature, bool at_start) const;
-  bool is_solved(const Contact& contact) const;
   bool is_deep(const Contact& contact, double gap, bool at_start);
   std::optional<double> first_return(double h);
   bool has_rims(const Contact& contact) const;

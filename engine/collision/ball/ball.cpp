@@ -2,7 +2,6 @@
 // polynomials.
 #include <algorithm>
 #include <array>
-#include <functional>
 
 #include "collision/ground/along_path.h"
 #include "collision/ground/facet_region.h"

@@ -14,8 +14,6 @@ namespace flyrock {
 
 namespace {
 
-constexpr double forever = std::numeric_limits<double>::infinity();
-
 /// The points of a contactor over a facet. Of a cloud, the facet is a thin prism below its plane, which the
 /// points enter from above: a point stays clear of it as long as it stays above the plane, or beyond one
 /// side, or below the prism, whichever lasts longest.

@@ -1,6 +1,5 @@
 // Times of impact with the ground in 3D: which facets to search, and the contacts that hold there.
 #include <algorithm>
-#include <array>
 
 #include "collision/advance_3d.h"
 #include "collision/ground/along_path.h"

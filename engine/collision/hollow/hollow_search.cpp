@@ -24,8 +24,6 @@ namespace flyrock {
 
 namespace {
 
-constexpr double forever = std::numeric_limits<double>::infinity();
-
 /// A rim that is held at one place is searched at this angle from it and beyond [rad].
 constexpr double next_place = pi / 3;
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "collision/advance_3d.h"
 #include "collision/held.h"
@@ -16,7 +15,6 @@ namespace flyrock {
 
 namespace {
 
-constexpr double forever = std::numeric_limits<double>::infinity();
 constexpr double most_sinking = 5e-5;  // of the size: of a point that another contact holds for now
 
 /// A normal that turns with a contactor (of_a, of_b), or the cross product of two edges.
@@ -324,7 +322,7 @@ class PairSearch {
         const OutsideFaces outside(a, b);
         try_face(a_, Direction::Kind::of_a, outside.farthest());
         for (int f = 0; f < a.faces() && best <= 0; ++f)
-          if (outside.of(f) + search_.slack >= -scale_.deep || held_.touches(f))
+          if (outside.of(f) + search_.slack >= -scale_.deep || held_.is_on_ground(f))
             try_face(a_, Direction::Kind::of_a, f);
       }
       constexpr double soon = 0.1;  // of the time that is left

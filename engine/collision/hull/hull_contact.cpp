@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/container/static_vector.hpp>
-#include <cmath>
 
 #include "collision/hull/separating_axis.h"
 #include "collision/manifold_reduction.h"
@@ -11,11 +10,6 @@
 namespace flyrock {
 
 namespace {
-
-// Two faces are flush if the angle between them is less than about this [rad]. A face of the first body is
-// then preferred to a face of the second, and any face to a pair of edges. This keeps the manifold of a body
-// at rest from flickering.
-constexpr double flush = 1e-4;
 
 /// One contact, at the middle of the shortest line between the two edges.
 void edge_edge(const Placed3& a, const Placed3& b, const EdgeAxis& axis, Contacts<3>& out) {
@@ -129,7 +123,7 @@ void hull_contacts(Workspace&, const Placed3& a, const Placed3& b, double reach,
   if (of_b.separation > reach) return;
   const EdgeAxis edges = best_edge_axis(a, b);
   if (edges.separation > reach) return;
-  const double slack = flush * std::min(a.shape.bound, b.shape.bound);
+  const double slack = flush_angle * std::min(a.shape.bound, b.shape.bound);
   const double of_faces = std::max(of_a.separation, of_b.separation);
   const std::size_t begin = out.size();
   if (edges.separation <= of_faces + slack) {

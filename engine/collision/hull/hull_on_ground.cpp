@@ -1,16 +1,13 @@
 // Contacts of polyhedra with the ground: edges with convex edges of the ground, faces with its peaks.
 
 #include <algorithm>
-#include <cmath>
 
 #include "collision/ground/ground_contact.h"
+#include "collision/rules.h"
 
 namespace flyrock {
 
 namespace {
-
-// A polyhedron lies flush on a facet, up to this angle [rad], when the end of the facet holds it.
-constexpr double flush = 1e-4;
 
 class RimContacts {
  public:
@@ -118,7 +115,8 @@ class RimContacts {
 void hull_on_ground(Workspace& work, const Placed3& polyhedron, const Ground3& ground, double reach,
                     double turn, Contacts<3>& out) {
   contacts_on_ground(work, polyhedron, ground, reach, out, [&](const GroundNearby& nearby) {
-    at_rims_and_peaks(work, nearby, RimContacts(work, polyhedron, nearby.box, reach, flush + turn, out));
+    at_rims_and_peaks(work, nearby,
+                      RimContacts(work, polyhedron, nearby.box, reach, flush_angle + turn, out));
   });
 }
 

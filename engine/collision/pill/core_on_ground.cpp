@@ -1,8 +1,5 @@
 // Contacts of spheres and pills with the convex edges and peaks of the ground.
 
-#include <algorithm>
-#include <cmath>
-
 #include "collision/ground/ground_contact.h"
 #include "collision/pill/closest.h"
 

@@ -11,7 +11,6 @@ namespace flyrock {
 
 namespace {
 
-constexpr double forever = std::numeric_limits<double>::infinity();
 constexpr int most_iterations = 500;
 
 /// A hull at one time, with bounds on its motion until the end of the window of a search.

@@ -95,9 +95,6 @@ class GrownContacts {
   }
 
  private:
-  // Two edges are flush if the angle between them is less than this [rad].
-  static constexpr double flush = 1e-4;
-
   /// Cores that overlap, which only fixed time steps produce, are pushed apart along the edge that separates
   /// most.
   bool cores_meet() {
@@ -123,7 +120,7 @@ class GrownContacts {
     if (facing != vertex && next != vertex) return;
     const int end = facing == vertex ? next : facing;
     const Vec2 from = own.point(vertex), along = own.point(end) - from;
-    if (std::abs(normal.dot(along)) > flush * along.norm()) return;
+    if (std::abs(normal.dot(along)) > flush_angle * along.norm()) return;
     const int last = (edge + 1) % other.count();
     const Vec2 side = other.point(last) - start;
     const double s = (from + along - start).dot(side) / side.squaredNorm();

@@ -1,6 +1,5 @@
 // Contacts of balls, pills and hulls with a line of segments in 2D.
 #include <algorithm>
-#include <cmath>
 
 #include "collision/rules.h"
 
@@ -198,9 +197,8 @@ void hull_on_ground(Workspace&, const Placed2& contactor, const Ground2& ground,
                     Contacts<2>& out) {
   const auto run = segments_near(contactor, ground, reach);
   vertex_contacts(contactor, ground, run, reach, out);
-  // The corner at the end of a segment holds an edge that lies flush on it, up to this angle [rad].
-  constexpr double flush = 1e-4;
-  corner_contacts(contactor, ground, run, reach, flush + turn, out);
+  // The corner at the end of a segment holds an edge that lies flush on it.
+  corner_contacts(contactor, ground, run, reach, flush_angle + turn, out);
 }
 
 }  // namespace flyrock

@@ -15,7 +15,6 @@ namespace flyrock {
 
 namespace {
 
-constexpr double forever = std::numeric_limits<double>::infinity();
 constexpr double closed = 1e-6;  // of the size: greater gaps are of no contact that exists
 // Of the size: by how much pieces that contacts hold may sink in a step. A rim is held at some places only,
 // and sinks with others where they come down.

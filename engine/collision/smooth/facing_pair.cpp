@@ -50,10 +50,6 @@ Vec3 next_normal(const Placed3& a, const Patch& of_a, const Placed3& b, const Pa
   return (normal + across * (across.dot(miss) / across.dot(give * across))).normalized();
 }
 
-double distance_along(const Placed3& a, const Placed3& b, const Vec3& normal) {
-  return normal.dot(a.support(-normal) - b.support(normal));
-}
-
 /// The parts that face each other along the normal of a pair.
 void find_parts(const Placed3& a, const Placed3& b, FacingPair& pair, Planes planes) {
   pair.of_a = support_feature(a, -pair.apart.normal, planes);

@@ -169,10 +169,6 @@ class NearestPlace {
 
 constexpr double exact = 1e-14;  // of the square of a distance: its direction is good to 1e-7
 
-double distance_along(const Placed3& a, const Placed3& b, const Vec3& normal) {
-  return normal.dot(a.support(-normal) - b.support(normal));
-}
-
 /// The directions of a first guess for cores that touch or overlap, the best first: normals of faces and
 /// caps, the line between the centres, and 26 fixed ones.
 class Guesses {

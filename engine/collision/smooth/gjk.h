@@ -12,6 +12,11 @@ struct Separation {
   Vec3 on_a = Vec3::Zero();  ///< the place of the core of a that is nearest to b
 };
 
+/// How far two cores are apart along a unit normal from b to a [m].
+inline double distance_along(const Placed3& a, const Placed3& b, const Vec3& normal) {
+  return normal.dot(a.support(-normal) - b.support(normal));
+}
+
 /// The algorithm of Gilbert, Johnson and Keerthi (1988): the place of A - B nearest to the origin, from a
 /// simplex of at most four support points. Cores that touch or overlap have no such place apart from the
 /// origin. Then the best of some directions is the first guess, b is moved back by L along the last normal n,

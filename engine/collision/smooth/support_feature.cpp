@@ -1,7 +1,6 @@
 #include "collision/smooth/support_feature.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "collision/rules.h"
