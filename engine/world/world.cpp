@@ -91,7 +91,8 @@ double World<D>::total_energy() const {
   for (const Body<D>& body : bodies)
     if (body.breathes()) energy += body.breathing.potential_energy();
   for (const Contact& c : last_) {
-    if (c.law.condition != NormalCondition::penalty) continue;
+    // Of one that has opened, the features may be anywhere.
+    if (c.law.condition != NormalCondition::penalty || !c.carried) continue;
     energy += elastic_energy(c.law.spring, -gap_at(c, false)) +
               0.5 * c.law.spring.tangential_stiffness * c.stretch.squaredNorm();
   }

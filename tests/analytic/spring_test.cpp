@@ -67,6 +67,17 @@ TEST_CASE("a damper takes its closed-form share of a bounce, whatever the restit
   }
 }
 
+TEST_CASE("a spring that has opened has no energy, also where the body has left its features far behind") {
+  Springs material({.stiffness = 1e7}, 0);
+  const Profile ledge{.points = {{-10, 0}, {1, 0}, {2, -20}, {60, -20}}, .part = {0, 0, 0}, .parts = {""}};
+  Bench bench(ledge, material, chosen());
+  const int ball = bench.add(disk(0.2, 100, {0, 0.3}, {6, 0}));
+  bench.run(1);  // it has bounced before the crest and is now in the air, below the line of the ledge
+  const Body<2>& body = bench.world.bodies[ball];
+  REQUIRE(body.x.y() < 0);
+  CHECK(bench.world.total_energy() == Approx(body.kinetic_energy() + body.mass * 9.81 * body.x.y()));
+}
+
 TEST_CASE("a spring of Hertz turns a ball round at its closed-form overlap and gives its speed back") {
   const double k = 1e7, v = 3, deepest = std::pow(5 * mass * v * v / (4 * k), 0.4);
   for (const WorldSettings& settings : {chosen(), fixed(1e-6)}) {
