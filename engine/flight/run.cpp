@@ -53,8 +53,6 @@ class Runner {
                             [](const Body<D>& b) { return b.breathing.moves(); });
     in_air_ = std::any_of(world.bodies.begin(), world.bodies.end(),
                           [](const Body<D>& b) { return b.air.drag > 0; });
-    has_outlines_ = std::any_of(world.bodies.begin(), world.bodies.end(),
-                                [](const Body<D>& body) { return body.is_outline(); });
   }
 
   ~Runner() { world_.on_hit = nullptr; }
@@ -241,15 +239,7 @@ class Runner {
       if (const double end = time_over_ground(world_.terrain(), world_.flight_of(i), dt); end < dt)
         dt = end * (1 + 1e-9) + 1e-9, touch = false;  // slightly beyond, so that end_bodies finds it there
     }
-    if (const auto t = touch_of_outlines(dt)) dt = *t, touch = true;
-    // If the swept boxes of two other bodies overlap, the bodies might meet: try a shorter jump, and finally
-    // a step.
-    if (bodies() > 1) {
-      const double whole = dt, h = world_.settings().time_step;
-      while (dt > h && may_meet(dt)) dt *= 0.5;
-      touch = touch && dt == whole;
-      if (dt <= h && may_meet(dt)) return step();
-    }
+    if (const auto t = touch_of_bodies(dt)) dt = *t, touch = true;
     const double start = world_.time;
     flights_.clear();
     for (int i = 0; i < bodies(); ++i) {
@@ -267,32 +257,23 @@ class Runner {
     return false;
   }
 
-  bool may_meet(double dt) {
-    for (const auto& [i, j] : world_.near_pairs(dt)) {
-      const Body<D>&a = world_.bodies[i], &b = world_.bodies[j];
-      const bool is_searched = a.is_outline() || b.is_outline();
-      if (a.present && b.present && (a.moves() || b.moves()) && !is_searched) return true;
-    }
-    return false;
-  }
-
-  /// The first touch of a body with a surface within dt [s]. The box of a surface is full of air, so bodies
-  /// in it fly.
-  std::optional<double> touch_of_outlines(double dt) {
+  /// The first touch of two bodies within dt [s].
+  std::optional<double> touch_of_bodies(double dt) {
     std::optional<double> first;
-    if (!has_outlines_) return first;
+    if (bodies() < 2) return first;
     const PhaseTimer timer(world_.clock, &PhaseTimes::flight);
     for (const auto& [i, j] : world_.near_pairs(dt)) {
       const Body<D>&a = world_.bodies[i], &b = world_.bodies[j];
-      if (a.is_outline() == b.is_outline() || !a.present || !b.present || !(a.moves() || b.moves())) continue;
-      const double size = a.is_outline() ? b.size : a.size;
+      if (!a.present || !b.present || !(a.moves() || b.moves())) continue;
+      const double size = world_.contact_size(i, j);
       const TouchSearch search{world_.held(i, j), false, 0, size, &world_.quality().toc_iterations};
       const Motion of_a = world_.flight_of(i), of_b = world_.flight_of(j);
-      for (int k = 0; k < static_cast<int>(a.contactors.size()); ++k)
-        for (int l = 0; l < static_cast<int>(b.contactors.size()); ++l)
-          if (const auto t = time_of_contact<D>(world_.workspace(), {a.contactors[k], of_a, k},
-                                                {b.contactors[l], of_b, l}, first.value_or(dt), search))
-            first = t;
+      const double travel = greatest_travel(of_a, a.size, dt) + greatest_travel(of_b, b.size, dt);
+      near_parts(world_.workspace(), a.parts, a.pose(), b.parts, b.pose(), travel, part_pairs_);
+      for (const auto& [k, l] : part_pairs_)
+        if (const auto t = time_of_contact<D>(world_.workspace(), {a.contactors[k], of_a, k},
+                                              {b.contactors[l], of_b, l}, first.value_or(dt), search))
+          first = t;
     }
     return first;
   }
@@ -491,9 +472,9 @@ class Runner {
   std::vector<Motion> flights_;  ///< of the last flight or step, from its start
   bool breathes_ = false;        ///< the radius of a body changes in the air too: flights are made of steps
   bool in_air_ = false;
-  bool has_outlines_ = false;
   std::vector<std::array<Vec<D>, 2>> accelerations_;  ///< accelerations by the air in the current leg
   std::vector<int> parts_;                            ///< of one body near the ground
+  std::vector<std::pair<int, int>> part_pairs_;       ///< of two bodies near each other
   double blind_ = 0, blind_until_ = 0;                ///< s, the last step that ignored touches and its end
   int stalled_ = 0;
 };

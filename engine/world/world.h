@@ -179,6 +179,8 @@ class World {
   double energy_in_doubt() const { return energy_in_doubt_ + spring_energy_in_doubt_; }
   /// The gap up to which a contact of the last step stays active, and its drift is projected out [m].
   double carry_reach(int candidate, int antagonist) const;
+  /// The size of the smaller of two bodies that move, or of the only one [m].
+  double contact_size(int candidate, int antagonist) const;
   /// The gap below which a contact of a body is closed: 1e-9 size + 1e-12 m.
   double touch(int body) const { return 1e-9 * bodies[body].size + 1e-12; }
 
@@ -222,7 +224,6 @@ class World {
   double gap_of_solver(const Contact& contact) const;
   double gap_at(const Contact& contact, bool at_start) const;
   const std::vector<std::pair<int, int>>& close_pairs();
-  double contact_size(int candidate, int antagonist) const;
 
   // ask_laws.cpp: the answers of the contact laws
   void begin_manifolds();

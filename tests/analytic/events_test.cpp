@@ -1,7 +1,7 @@
 // Events that fixed steps miss: fast bodies and thin obstacles, bounces in a corner, fast spin beside a wall.
 #include <catch2/catch.hpp>
 
-#include "analytic/lab.h"
+#include "analytic/lab_3d.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;
@@ -86,4 +86,26 @@ TEST_CASE("fixed steps and exact flight agree on a single bounce to first order 
   CHECK(apex(true, 1e-3) == Approx(3.6).epsilon(1e-12));
   CHECK(apex(false, 1e-3) == Approx(3.6).margin(0.02));
   CHECK(apex(false, 1e-5) == Approx(3.6).margin(0.0002));
+}
+
+TEST_CASE("a sphere bounces on another body as on the ground, each time after 2 v / g") {
+  constexpr double e = 0.7, g = 9.81, radius = 0.3;
+  for (const bool is_fixed : {true, false}) {  // else driven, at rest
+    Material material(e, 0.3);
+    Bench3 bench(plane(), material);
+    Body<3> base = box({4, 4, 1}, 100, {0, 0, 5});
+    base.kind = is_fixed ? BodyKind::fixed : BodyKind::driven;
+    bench.add(base);
+    const int ball = bench.add(sphere(radius, 1, {0, 0, 5.5 + radius + 1}));
+    bench.run(2);
+    const std::vector<Impact>& impacts = bench.histories[ball].impacts;
+    REQUIRE(impacts.size() >= 4);
+    double time = std::sqrt(2 / g), speed = std::sqrt(2 * g);
+    for (std::size_t i = 0; i < 4; ++i) {
+      CHECK(std::abs(impacts[i].time - time) < 1e-13);
+      speed *= e;
+      time += 2 * speed / g;
+    }
+    CHECK(bench.world.quality().steps == 0);
+  }
 }
