@@ -6,9 +6,7 @@
 
 namespace flyrock {
 
-/// The first time in the window at which the contactors touch and approach; see time_of_contact. A ball has
-/// one contact with a convex contactor; contacts of a pill hold pairs of points, those of hulls features.
-enum class CoreSearch { ball, pill, hull };
+/// The first time in the window at which the contactors touch and approach; see time_of_contact.
 std::optional<double> advance_cores(const Moving3& a, const Moving3& b, CoreSearch by,
                                     const TimeWindow& window, const TouchSearch& search);
 

@@ -44,10 +44,9 @@ template <int D, FindTouch<D>* rule>
 std::optional<double> mirrored_touch(Workspace& work, const Moving<D>& a, const Moving<D>& b, double t_max,
                                      const TouchSearch& search) {
   work.mirrored.clear();
-  for (const HeldContact& h : search.held)
-    work.mirrored.push_back({h.against, h.feature, h.opened, h.yields, -h.normal});
+  for (const HeldContact& h : search.held.list) work.mirrored.push_back(h.mirrored());
   TouchSearch from_b = search;
-  from_b.held = work.mirrored;
+  from_b.held.list = work.mirrored;
   return rule(work, b, a, t_max, from_b);
 }
 
@@ -65,12 +64,13 @@ constexpr PairRules<2> line_with{mirrored_contacts<2, outline_contacts<2>>, mirr
 constexpr PairRules<3> balls{ball_contacts, core_gap, ball_touch};
 // One is a ball, the other a pill or a hull; the core (of a pill and a ball, the pill) is the first or
 // second.
-constexpr PairRules<3> core_first{core_contacts, core_gap, ball_core_touch};
-constexpr PairRules<3> core_second{mirrored_contacts<3, core_contacts>, core_gap, ball_core_touch};
+constexpr PairRules<3> core_first{core_contacts, core_gap, core_touch<CoreSearch::ball>};
+constexpr PairRules<3> core_second{mirrored_contacts<3, core_contacts>, core_gap,
+                                   core_touch<CoreSearch::ball>};
 // One is a pill, and none a ball.
-constexpr PairRules<3> pill_with{core_contacts, core_gap, pill_touch};
-constexpr PairRules<3> with_pill{mirrored_contacts<3, core_contacts>, core_gap, pill_touch};
-constexpr PairRules<3> hulls{hull_contacts, core_gap, hull_touch};
+constexpr PairRules<3> pill_with{core_contacts, core_gap, core_touch<CoreSearch::pill>};
+constexpr PairRules<3> with_pill{mirrored_contacts<3, core_contacts>, core_gap, core_touch<CoreSearch::pill>};
+constexpr PairRules<3> hulls{hull_contacts, core_gap, core_touch<CoreSearch::hull>};
 constexpr PairRules<3> smooth{smooth_contacts, smooth_gap, smooth_touch};
 constexpr PairRules<3> inside{hollow_contacts, hollow_gap, hollow_touch};
 constexpr PairRules<3> around{mirrored_contacts<3, hollow_contacts>, mirrored_gap<3, hollow_gap>,
@@ -112,8 +112,8 @@ constexpr FormRules<2> forms_2d[form_count<2>] = {
 
 constexpr FormRules<3> forms_3d[form_count<3>] = {
   /* ball */       {core_part,   core_on_ground,   core_gap_to_ground,   ball_touch_of_ground},
-  /* pill */       {core_part,   core_on_ground,   core_gap_to_ground,   pill_touch_of_ground},
-  /* hull */       {core_part,   hull_on_ground,   core_gap_to_ground,   hull_touch_of_ground},
+  /* pill */       {core_part,   core_on_ground,   core_gap_to_ground,   core_touch_of_ground<CoreSearch::pill>},
+  /* hull */       {core_part,   hull_on_ground,   core_gap_to_ground,   core_touch_of_ground<CoreSearch::hull>},
   /* hollow */     {hollow_part},
   /* outline */    {outline_part},
   /* smooth */     {smooth_part, smooth_on_ground, smooth_gap_to_ground, smooth_touch_of_ground},

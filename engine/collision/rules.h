@@ -1,5 +1,6 @@
 #pragma once
-// The rules of each form: how it touches others and the ground. pairs.cpp puts them into tables.
+// The rules of each form: how it touches others and the ground, and in which file each is. pairs.cpp puts
+// them into tables.
 
 #include "collision/pairs.h"
 
@@ -33,55 +34,61 @@ using FindTouchOfGround = FindTouch<D, GroundIn<D>>;
 template <int D>
 using FindPart = TouchingPart<D>(const Placed<D>& shape, FeatureId feature, const Vec<D>& normal);
 
-// Balls, pills and hulls in 2D: plane/contacts_2d, gaps_2d, advancement_2d and, of the ground,
-// ground_contacts_2d, first_touch_2d. The ball of core_contacts is the first. Parts: contact_motion.
-FindContacts<2> ball_contacts, core_contacts, hull_contacts;
-FindGap<2> core_gap;
-FindTouch<2> ball_touch, hull_touch;
-FindOnGround<2> hull_on_ground;
-FindGapToGround<2> hull_gap_to_ground;
-FindTouchOfGround<2> hull_touch_of_ground;
-FindPart<2> hull_part;
+// Balls, pills and hulls in 2D. The ball of core_contacts is the first.
+FindContacts<2> ball_contacts, core_contacts, hull_contacts;  // plane/contacts_2d
+FindGap<2> core_gap;                                          // plane/gaps_2d
+FindTouch<2> ball_touch, hull_touch;                          // plane/first_touch_2d, advancement_2d
+FindOnGround<2> hull_on_ground;                               // plane/ground_contacts_2d
+FindGapToGround<2> hull_gap_to_ground;                        // plane/gaps_2d
+FindTouchOfGround<2> hull_touch_of_ground;                    // plane/first_touch_2d
+FindPart<2> hull_part;                                        // contact_motion
 
-// Balls, pills and polyhedra in 3D. Contacts: ball/ball, pill/core_contact, hull/hull_contact and, of the
-// ground, pill/core_on_ground, hull/hull_on_ground. Gaps: hull/core_gap. Touches: ball/ball, hull/core_search
-// and, of the ground, ground/first_touch. The core of core_contacts, a ball or a pill, is the first; of two,
-// the pill. Parts: contact_motion.
-FindContacts<3> ball_contacts, core_contacts, hull_contacts;
-FindGap<3> core_gap;
-FindTouch<3> ball_touch, ball_core_touch, pill_touch, hull_touch;
-FindOnGround<3> core_on_ground, hull_on_ground;
-FindGapToGround<3> core_gap_to_ground;
-FindTouchOfGround<3> ball_touch_of_ground, ball_core_touch_of_ground, pill_touch_of_ground,
-    hull_touch_of_ground;
-FindPart<3> core_part;
+// Balls, pills and polyhedra in 3D. The core of core_contacts, a ball or a pill, is the first; of two, the
+// pill.
+FindContacts<3> ball_contacts;              // ball/ball
+FindContacts<3> core_contacts;              // pill/core_contact
+FindContacts<3> hull_contacts;              // hull/hull_contact
+FindGap<3> core_gap;                        // hull/core_gap
+FindTouch<3> ball_touch;                    // ball/ball
+FindOnGround<3> core_on_ground;             // pill/core_on_ground; on a facet alone, ground/ground_contact
+FindOnGround<3> hull_on_ground;             // hull/hull_on_ground
+FindGapToGround<3> core_gap_to_ground;      // hull/core_gap
+FindTouchOfGround<3> ball_touch_of_ground;  // ball/ball
+FindPart<3> core_part;                      // contact_motion
+/// hull/core_search; of the ground, ground/first_touch.
+template <CoreSearch by>
+std::optional<double> core_touch(Workspace&, const Moving3& a, const Moving3& b, double t_max,
+                                 const TouchSearch&);
+template <CoreSearch by>
+std::optional<double> core_touch_of_ground(Workspace&, const Moving3& core, const Ground3&, double t_max,
+                                           const TouchSearch&);
 
-// Contactors with circles: smooth/smooth_contact, smooth_gap, circle_search, smooth_on_ground.
-FindContacts<3> smooth_contacts;
-FindGap<3> smooth_gap;
-FindTouch<3> smooth_touch;
-FindOnGround<3> smooth_on_ground;
-FindGapToGround<3> smooth_gap_to_ground;
-FindTouchOfGround<3> smooth_touch_of_ground;
-FindPart<3> smooth_part;
+// Contactors with circles.
+FindContacts<3> smooth_contacts;              // smooth/smooth_contact
+FindGap<3> smooth_gap;                        // smooth/smooth_gap
+FindTouch<3> smooth_touch;                    // smooth/circle_search
+FindOnGround<3> smooth_on_ground;             // smooth/smooth_on_ground
+FindGapToGround<3> smooth_gap_to_ground;      // smooth/smooth_gap
+FindTouchOfGround<3> smooth_touch_of_ground;  // ground/first_touch, smooth/circle_search
+FindPart<3> smooth_part;                      // contact_motion
 
 /// An edge or a vertex of the ground as a contactor. The first is a segment without a radius, with the
 /// vertices 0, 1 and the edge 0; valid until the next call.
 Placed3 edge_piece(Workspace& work, const Facet& facet, int rim);
 Placed3 vertex_piece(const Vec3& at);
 
-// Points without extent: ground/ground_contact, ground/first_touch.
-FindOnGround<3> cloud_on_ground;
-FindTouchOfGround<3> cloud_touch_of_ground;
+// Points without extent. Their gap is that of cores.
+FindOnGround<3> cloud_on_ground;             // ground/ground_contact
+FindTouchOfGround<3> cloud_touch_of_ground;  // ground/first_touch, facet_touch
 
-// Hollow contactors and half spaces, which are the second: hollow/hollow_wall, hollow_search.
-FindContacts<2> hollow_contacts;
+// Hollow contactors and half spaces, which are the second.
+FindContacts<2> hollow_contacts;  // hollow/hollow_wall
 FindContacts<3> hollow_contacts;
-FindGap<2> hollow_gap;
+FindGap<2> hollow_gap;  // hollow/hollow_wall
 FindGap<3> hollow_gap;
-FindTouch<2> hollow_touch;
+FindTouch<2> hollow_touch;  // hollow/hollow_search
 FindTouch<3> hollow_touch;
-FindPart<2> hollow_part;
+FindPart<2> hollow_part;  // contact_motion
 FindPart<3> hollow_part, half_space_part;
 
 // Outlines, which are the second: outline/outline.
@@ -94,7 +101,7 @@ double outline_gap(Workspace& work, const Placed<D>& other, FeatureId feature, c
 template <int D>
 std::optional<double> outline_touch(Workspace& work, const Moving<D>& other, const Moving<D>& outline,
                                     double t_max, const TouchSearch& search);
-FindPart<2> outline_part;
+FindPart<2> outline_part;  // contact_motion
 FindPart<3> outline_part;
 
 }  // namespace flyrock

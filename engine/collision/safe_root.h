@@ -11,12 +11,11 @@ namespace flyrock {
 /// A time until which a concave function stays positive, up to a millionth of it, or forever if that is
 /// beyond `end`. A chord of the function lies below it. The line through two of its points lies above it
 /// beyond these points. So the root of the chord is a safe time, and the root of the line is a time beyond
-/// the root of the function. `slope`: of the function at 0. `opened`: a contact that has just opened; see
-/// safe_time.
+/// the root of the function. `slope`: of the function at 0. `counts`: see safe_time.
 template <class Function>
-double safe_root(const Function& f, double slope, double end, const GapScale& scale, bool opened) {
+double safe_root(const Function& f, double slope, double end, const GapScale& scale, Counts counts) {
   const double start = f(0.0);
-  if (start < -scale.deep && !opened) return 0;
+  if (start < -scale.deep && counts != Counts::from_zero) return 0;
   if (start <= scale.least && slope < 0) return 0;
   const double base = std::min(start, 0.0);
   const auto g = [&](double t) { return f(t) - (start <= scale.least ? start : base); };

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "collision/held.h"
+
 namespace flyrock {
 
 inline constexpr double forever = std::numeric_limits<double>::infinity();  ///< s
@@ -18,9 +20,9 @@ struct GapScale {
 
 /// The time until gap + slope t - bend t^2 / 2 is zero, for gap > 0 or a pair that has just separated. If the
 /// pair penetrates deeply along a direction, that direction does not separate it, however fast the gap opens.
-/// The exception is a held contact at the start (`just_opened`).
-inline double safe_time(double gap, double slope, double bend, const GapScale& scale, bool just_opened) {
-  if (gap < -scale.deep && !just_opened) return 0;
+/// The exception is what counts from zero.
+inline double safe_time(double gap, double slope, double bend, const GapScale& scale, Counts counts) {
+  if (gap < -scale.deep && counts != Counts::from_zero) return 0;
   if (gap <= scale.least) {
     if (slope < 0) return 0;
     return bend > 0 ? 2 * slope / bend : forever;
@@ -49,9 +51,9 @@ struct GapBound {
   }
   /// The time until the bound is zero, as safe_time, but at most `longest`: first with its bend until
   /// `longest`, then with the one over twice the time that this gives, in which the curvature changes little.
-  double safe_time(double longest, const GapScale& scale, bool just_opened) const {
+  double safe_time(double longest, const GapScale& scale, Counts counts) const {
     const auto safe = [&](double horizon) {
-      return std::min(horizon, flyrock::safe_time(gap, slope, bend_until(horizon), scale, just_opened));
+      return std::min(horizon, flyrock::safe_time(gap, slope, bend_until(horizon), scale, counts));
     };
     const double first = safe(longest);
     return first > 0 && 2 * first <= longest ? std::max(first, safe(2 * first)) : first;

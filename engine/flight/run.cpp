@@ -221,7 +221,8 @@ class Runner {
         const Body<D>& body = world_.bodies[i];
         const Motion flight = world_.flight_of(i);
         dt = std::min({dt, time_in_domain(flight), running_[i] ? crossings_[i].time_to_barrier(flight) : dt});
-        const TouchSearch search{world_.held(i, -1), false, 0, body.size, &world_.quality().toc_iterations};
+        const TouchSearch search{world_.held_in_flight(i, -1), 0, body.size,
+                                 &world_.quality().toc_iterations};
         near_parts(world_.workspace(), body.parts, body.pose(), world_.terrain(),
                    greatest_travel(flight, body.size, dt), parts_);
         for (const int k : parts_)
@@ -266,7 +267,7 @@ class Runner {
       const Body<D>&a = world_.bodies[i], &b = world_.bodies[j];
       if (!a.present || !b.present || !(a.moves() || b.moves())) continue;
       const double size = world_.contact_size(i, j);
-      const TouchSearch search{world_.held(i, j), false, 0, size, &world_.quality().toc_iterations};
+      const TouchSearch search{world_.held_in_flight(i, j), 0, size, &world_.quality().toc_iterations};
       const Motion of_a = world_.flight_of(i), of_b = world_.flight_of(j);
       const double travel = greatest_travel(of_a, a.size, dt) + greatest_travel(of_b, b.size, dt);
       near_parts(world_.workspace(), a.parts, a.pose(), b.parts, b.pose(), travel, part_pairs_);

@@ -147,9 +147,9 @@ class World {
 
   /// The impacts of the last step or impact, one per manifold.
   const std::vector<Impact>& impacts() const { return impacts_; }
-  /// The contacts of a body with the terrain (other = -1) or with another body, in the form that the search
-  /// for the time of impact needs. Valid until the next call.
-  std::span<const HeldContact> held(int body, int other);
+  /// The contacts of a body with the terrain (other = -1) or with another body, as the search for a touch in
+  /// flight knows them (collision/held.h). Valid until the next call.
+  HeldContacts held_in_flight(int body, int other);
   /// The deepest penetration of a body into the terrain or another body now. Used to check a start.
   struct Overlap {
     double depth = 0;  ///< m
@@ -214,16 +214,18 @@ class World {
   const Contact* carried_on(const Contact& contact, std::span<const Contact> last,
                             std::span<const Contact> now) const;
   void keep_closed(double share_of_size);
-  std::span<const HeldContact> held_in_step(int body, int other);
-  Drift keep_closed_at_start(double h);
   double reach_within(double h, int candidate, int antagonist) const;
   Placed<D> placed(int body, FeatureId feature, bool at_start) const;
-  bool is_deep(const Contact& contact, double gap, bool at_start);
-  std::optional<double> first_return(double h);
-  bool has_rims(const Contact& contact) const;
   double gap_of_solver(const Contact& contact) const;
   double gap_at(const Contact& contact, bool at_start) const;
   const std::vector<std::pair<int, int>>& close_pairs();
+
+  // held_contacts.cpp: which contacts a step holds, and what the search for touches knows of them
+  Drift keep_closed_at_start(double h);
+  bool is_deep(const Contact& contact, double gap, bool at_start);
+  bool has_rims(const Contact& contact) const;
+  HeldContacts held_in_step(int body, int other);
+  std::optional<double> first_return(double h);
 
   // ask_laws.cpp: the answers of the contact laws
   void begin_manifolds();

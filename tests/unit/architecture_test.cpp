@@ -94,3 +94,20 @@ TEST_CASE("docs/architecture.md lists every header of every floor with its first
       folders += entry.is_directory() && !files_of(entry.path(), ".h").empty();
   CHECK(tables >= folders - 1);  // verify has a paragraph
 }
+
+TEST_CASE("collision/rules.h names the file of each rule") {
+  using namespace architecture_page;
+  const fs::path folder = root / "engine/collision";
+  const std::string text = text_of(folder / "rules.h");
+  const std::regex line("\nFind\\w+<[23]> ([\\w, ]+); +// ([\\w/]+)"), name("\\w+");
+  int rules = 0;
+  for (std::sregex_iterator found(text.begin(), text.end(), line), end; found != end; ++found) {
+    const std::string names = (*found)[1], file = (*found)[2];
+    const std::string definitions = text_of(folder / (file + ".cpp"));
+    for (std::sregex_iterator each(names.begin(), names.end(), name); each != end; ++each, ++rules) {
+      INFO(each->str() << " in " << file);
+      CHECK(std::regex_search(definitions, std::regex("\\n[^ /\\n][^\\n]* " + each->str() + "\\(")));
+    }
+  }
+  CHECK(rules > 20);
+}

@@ -45,15 +45,12 @@ class BallSearch {
  private:
   static constexpr double generous = 1e-6;  // rad or share: regions of neighbours overlap, and none is missed
 
-  bool solved(FeatureId against, bool& held) const {
-    held = search_.holds(feature_, against);
-    return held && search_.held_are_solved;
-  }
+  Counts counts(FeatureId against) const { return search_.held.counts(feature_, against, 0); }
 
   void plane(const Facet& f, const TimeWindow& window, std::optional<double>& first) const {
-    bool held = false;
-    if (solved(f.face_feature(), held)) return;
-    const std::array<double, 3> gap{search_.start_gap(f.distance(motion_.x) - radius_, held),
+    const Counts counted = counts(f.face_feature());
+    if (counted == Counts::never) return;
+    const std::array<double, 3> gap{search_.start_gap(f.distance(motion_.x) - radius_, counted),
                                     f.normal.dot(motion_.v), 0.5 * f.normal.dot(motion_.a)};
     const auto t = first_approach(gap, window.a, window.b);
     if (!t || (first && *t >= *first)) return;
@@ -99,13 +96,13 @@ class BallSearch {
   }
 
   void edge(const Facet& f, int i, const TimeWindow& window, std::optional<double>& first) const {
-    bool held = false;
-    if (solved(f.edge_feature(i), held)) return;
+    const Counts counted = counts(f.edge_feature(i));
+    if (counted == Counts::never) return;
     const double length = f.along(i).norm();
     const Vec3 along = f.along(i) / length, away = motion_.x - f.corner[i];
     const auto across = [&](const Vec3& v) -> Vec3 { return v - along.dot(v) * along; };
     const Path<3> relative{across(away), across(motion_.v), across(motion_.a)};
-    const auto gap = ball_gap(relative, radius_, search_.start_gap(relative.x.norm() - radius_, held));
+    const auto gap = ball_gap(relative, radius_, search_.start_gap(relative.x.norm() - radius_, counted));
     touch(gap, window, first, [&](double t) {
       const Vec3 at = motion_.position(t) - f.corner[i];
       const double share = at.dot(along) / length;
@@ -120,11 +117,12 @@ class BallSearch {
     const Vec3& top = f.corner[i];
     const TimeWindow window = meeting_window<3>(motion_, radius_ * (1 + generous), {top, top},
                                                 first ? std::min(*first, end_) : end_);
-    bool held = false;
     edges_.clear();
-    if (window.empty() || solved(f.vertex_feature(i), held) || !ground_.peak(f.vertex[i], edges_)) return;
+    if (window.empty()) return;
+    const Counts counted = counts(f.vertex_feature(i));
+    if (counted == Counts::never || !ground_.peak(f.vertex[i], edges_)) return;
     const Path<3> relative{motion_.x - top, motion_.v, motion_.a};
-    const auto gap = ball_gap(relative, radius_, search_.start_gap(relative.x.norm() - radius_, held));
+    const auto gap = ball_gap(relative, radius_, search_.start_gap(relative.x.norm() - radius_, counted));
     touch(gap, window, first,
           [&](double t) { return peak_cone_contains(edges_, relative.position(t).normalized(), generous); });
   }
@@ -172,7 +170,8 @@ void ball_contacts(Workspace&, const Placed3& a, const Placed3& b, double reach,
 
 std::optional<double> ball_touch_of_ground(Workspace& work, const Moving3& ball, const Ground3& ground,
                                            double t_max, const TouchSearch& search) {
-  if (!is_centred(ball.shape)) return ball_core_touch_of_ground(work, ball, ground, t_max, search);
+  if (!is_centred(ball.shape))
+    return core_touch_of_ground<CoreSearch::ball>(work, ball, ground, t_max, search);
   const BallSearch roots(work, ball.shape.radius, feature_id(ball.index, FeatureKind::vertex, 0), ball.motion,
                          ground, t_max, search);
   return along_path(work, ground, ball.motion, reach_on_path(ball.shape.bound), t_max,
@@ -183,14 +182,15 @@ std::optional<double> ball_touch_of_ground(Workspace& work, const Moving3& ball,
 
 std::optional<double> ball_touch(Workspace& work, const Moving3& a, const Moving3& b, double t_max,
                                  const TouchSearch& search) {
-  if (!is_centred(a.shape) || !is_centred(b.shape)) return ball_core_touch(work, a, b, t_max, search);
-  const bool held =
-      search.holds(feature_id(a.index, FeatureKind::vertex, 0), feature_id(b.index, FeatureKind::vertex, 0));
-  if (held && search.held_are_solved) return std::nullopt;
+  if (!is_centred(a.shape) || !is_centred(b.shape))
+    return core_touch<CoreSearch::ball>(work, a, b, t_max, search);
+  const Counts counts = search.held.counts(feature_id(a.index, FeatureKind::vertex, 0),
+                                           feature_id(b.index, FeatureKind::vertex, 0), 0);
+  if (counts == Counts::never) return std::nullopt;
   const Path<3> relative{a.motion.x - b.motion.x, a.motion.v - b.motion.v, a.motion.a - b.motion.a};
   const double radii = a.shape.radius + b.shape.radius;
   if (radii == 0) return std::nullopt;  // two points
-  const auto gap = ball_gap(relative, radii, search.start_gap(relative.x.norm() - radii, held));
+  const auto gap = ball_gap(relative, radii, search.start_gap(relative.x.norm() - radii, counts));
   if (search.iterations) ++*search.iterations;
   return first_approach(gap, 0, t_max);
 }

@@ -28,9 +28,10 @@ class PointSearch {
     const MovingState state(c_, t, end_);
     double least = forever;
     for (int i = 0; i < static_cast<int>(c_.shape.points.size()) && least > 0; ++i) {
-      const bool held = search_.holds(feature_id(c_.index, FeatureKind::vertex, i), facet_.face_feature());
-      if (!held || !search_.held_are_solved)
-        least = std::min(least, point_lasts(c_.shape.points[i], state, held && t == 0, end_ - t));
+      const Counts counts =
+          search_.held.counts(feature_id(c_.index, FeatureKind::vertex, i), facet_.face_feature(), t);
+      if (counts != Counts::never)
+        least = std::min(least, point_lasts(c_.shape.points[i], state, counts, end_ - t));
     }
     return least;
   }
@@ -43,16 +44,17 @@ class PointSearch {
   }
 
  private:
-  double point_lasts(const Vec3& point, const MovingState& state, bool just_opened, double left) const {
+  double point_lasts(const Vec3& point, const MovingState& state, Counts counts, double left) const {
     const Vec3 arm = state.arm(point), at = state.x + arm, speed = state.velocity_at(arm);
     const double turning = state.bend(arm.norm()), height = facet_.distance(at);
-    const auto stays = [&](double gap, const Vec3& away, bool opened) {
-      return safe_time(gap, away.dot(speed), std::max(0.0, -away.dot(c_.motion.a)) + turning, scale_, opened);
+    const auto stays = [&](double gap, const Vec3& away, Counts counted) {
+      return safe_time(gap, away.dot(speed), std::max(0.0, -away.dot(c_.motion.a)) + turning, scale_,
+                       counted);
     };
-    double most = stays(height - c_.shape.radius + search_.slack, facet_.normal, just_opened);
+    double most = stays(height - c_.shape.radius + search_.slack, facet_.normal, counts);
     if (!of_cloud_) return most;
     const auto try_outside = [&](double gap, const Vec3& away) {
-      if (gap > 0 && most < left) most = std::max(most, stays(gap, away, false));
+      if (gap > 0 && most < left) most = std::max(most, stays(gap, away, Counts::fully));
     };
     try_outside(-height - scale_.deep, -facet_.normal);
     for (int i = 0; i < 3; ++i)

@@ -3,60 +3,13 @@
 
 #include "collision/advance_3d.h"
 #include "collision/ground/along_path.h"
-#include "collision/pair_search.h"
+#include "collision/held_3d.h"
 #include "collision/rules.h"
 #include "collision/smooth/piece_heights.h"
 
 namespace flyrock {
 
 namespace {
-
-// A contact of a pill that has opened by more than this share of the size is not held any more.
-constexpr double opened_share = 1e-4;
-
-/// The contacts that exist at the start, with the vertices of their features. Valid until the next call.
-const std::vector<HeldOnGround>& held_on(Workspace& work, const Ground3& ground,
-                                         std::span<const HeldContact> held) {
-  std::vector<HeldOnGround>& found = work.held_on_ground;
-  found.clear();
-  for (const HeldContact& contact : held) {
-    HeldOnGround on{contact.feature, contact.against, contact.opened, contact.yields, {}, 1};
-    if (kind_of(contact.against) == FeatureKind::vertex) {
-      on.vertex[0] = ground_index(contact.against);
-      on.place = ground.vertex(on.vertex[0]);
-    } else {
-      const Facet facet = ground.facet(ground.facet_of(contact.against));
-      const int rim = static_cast<int>(ground_index(contact.against) % 3);
-      on.vertex = facet.vertex;
-      on.vertices = 3;
-      on.normal = facet.normal;
-      on.place = facet.corner[0];
-      if (kind_of(contact.against) == FeatureKind::edge) {
-        on.vertex = {facet.vertex[rim], facet.vertex[Facet::next(rim)]};
-        on.vertices = 2;
-        on.place = facet.corner[rim];
-        on.along = facet.along(rim);
-      }
-    }
-    found.push_back(on);
-  }
-  return found;
-}
-
-/// A search without the contacts of a pill or a cylinder that have opened: it may leave an edge and come back
-/// to it elsewhere, which is a new touch. Valid until the next call.
-TouchSearch without_opened(Workspace& work, const Moving3& c, const Ground3& ground, FindGapToGround<3>* gap,
-                           const TouchSearch& search) {
-  work.still_held.clear();
-  const Placed3 start{c.shape, {c.motion.x, c.motion.turn(0).rotation}};
-  for (const HeldContact& h : search.held)
-    if (contactor_of(h.feature) != c.index ||
-        gap(work, start, h.feature, ground, h.against, h.normal) <= opened_share * search.size)
-      work.still_held.push_back(h);
-  TouchSearch closed = search;
-  closed.held = work.still_held;
-  return closed;
-}
 
 /// The first touch of a contactor that moves by `travel` at most, a small part of its size. Only the facets
 /// in its box matter, and of these the ones whose planes it does not surely stay above.
@@ -105,37 +58,26 @@ std::optional<double> touch_of_facets(Workspace& work, const Moving3& c, const G
   return along_path(work, ground, c.motion, reach, t_max, see);
 }
 
-std::optional<double> touch_of_facets(Workspace& work, const Moving3& core, const Ground3& ground,
-                                      double t_max, const TouchSearch& search, CoreSearch by) {
-  const auto& held = held_on(work, ground, search.held);
-  return touch_of_facets(work, core, ground, t_max, search,
-                         [&](const Facet& facet, const TimeWindow& window) {
-                           return core_touch_of_facet(work, core, facet, held, by, window, search);
-                         });
-}
-
 }  // namespace
 
-std::optional<double> ball_core_touch_of_ground(Workspace& work, const Moving3& ball, const Ground3& ground,
-                                                double t_max, const TouchSearch& search) {
-  return touch_of_facets(work, ball, ground, t_max, search, CoreSearch::ball);
-}
-
-std::optional<double> pill_touch_of_ground(Workspace& work, const Moving3& pill, const Ground3& ground,
+template <CoreSearch by>
+std::optional<double> core_touch_of_ground(Workspace& work, const Moving3& core, const Ground3& ground,
                                            double t_max, const TouchSearch& search) {
-  const TouchSearch closed = without_opened(work, pill, ground, core_gap_to_ground, search);
-  return touch_of_facets(work, pill, ground, t_max, closed, CoreSearch::pill);
+  const TouchSearch closed = by == CoreSearch::pill ? without_opened(work, core, ground, search) : search;
+  const auto held = held_on(work, ground, closed.held);
+  return touch_of_facets(work, core, ground, t_max, closed,
+                         [&](const Facet& facet, const TimeWindow& window) {
+                           return core_touch_of_facet(work, core, facet, held, by, window, closed);
+                         });
 }
-
-std::optional<double> hull_touch_of_ground(Workspace& work, const Moving3& hull, const Ground3& ground,
-                                           double t_max, const TouchSearch& search) {
-  return touch_of_facets(work, hull, ground, t_max, search, CoreSearch::hull);
-}
+template FindTouchOfGround<3> core_touch_of_ground<CoreSearch::ball>;
+template FindTouchOfGround<3> core_touch_of_ground<CoreSearch::pill>;
+template FindTouchOfGround<3> core_touch_of_ground<CoreSearch::hull>;
 
 std::optional<double> smooth_touch_of_ground(Workspace& work, const Moving3& shape, const Ground3& ground,
                                              double t_max, const TouchSearch& search) {
-  const TouchSearch closed = without_opened(work, shape, ground, smooth_gap_to_ground, search);
-  const auto& held = held_on(work, ground, closed.held);
+  const TouchSearch closed = without_opened(work, shape, ground, search);
+  const auto held = held_on(work, ground, closed.held);
   return touch_of_facets(work, shape, ground, t_max, closed,
                          [&](const Facet& facet, const TimeWindow& window) {
                            return smooth_touch_of_facet(work, shape, facet, held, window, closed);

@@ -13,7 +13,7 @@
 #include <array>
 #include <cmath>
 
-#include "collision/held.h"
+#include "collision/held_3d.h"
 #include "collision/hollow/hollow_wall.h"
 #include "collision/rules.h"
 #include "collision/safe_root.h"
@@ -57,40 +57,31 @@ class HollowSearch2 {
     const double pull = (other_.motion.a - hollow_.motion.a).norm();
     const Vec2 middle = middle_of(other_.shape);
     const double fastest = std::abs(opens) + std::abs(of_hollow.growth - of_other.growth) * left;
-    if (const Vec2 at = away + r * middle; !wall.holds(at))
+    if (const Vec2 at = away + r * middle; !wall.contains(at))
       return outside_for(-wall.gap(at), velocity.norm() + pull * left + w_max * middle.norm() + fastest,
                          search_.size, left);
     double least = forever;
     for (int i = 0; i < static_cast<int>(other_.shape.points.size()); ++i) {
-      const bool held = holds(i);
-      if (held && search_.held_are_solved) continue;
+      const Counts counts = search_.held.counts(vertex_id(other_.index, i), vertex_id(hollow_.index, 0), t);
+      if (counts == Counts::never) continue;
       const Vec2 arm = r * other_.shape.points[i], place = away + arm, rate = velocity + cross(w, arm);
       const double bend = closing + pull + (w_max * w_max + std::abs(other_.motion.alpha)) * arm.norm();
       const auto gap = [&](double time) {
         return wall.gap(place + time * rate) - (other_.shape.radius + of_other.at(t)) + time * opens +
                search_.slack - 0.5 * time * time * bend;
       };
-      const bool opened = held && t == 0;
-      if (!opened && gap(0.0) < -scale_.deep) {
+      if (counts != Counts::from_zero && gap(0.0) < -scale_.deep) {
         const double fast = velocity.norm() + pull * left + w_max * arm.norm() + fastest;
         least = std::min(least, outside_for(-gap(0.0), fast, search_.size, left));
         continue;
       }
       const double slope = (place.norm() > 0 ? wall.normal(place).dot(rate) : -rate.norm()) + opens;
-      least = std::min(least, within(left, left, safe_root(gap, slope, left, scale_, opened)));
+      least = std::min(least, within(left, left, safe_root(gap, slope, left, scale_, counts)));
     }
     return least;
   }
 
  private:
-  /// Whether a point has a contact with the wall.
-  bool holds(int point) const {
-    return std::any_of(search_.held.begin(), search_.held.end(), [&](const HeldContact& h) {
-      return contactor_of(h.against) == hollow_.index && contactor_of(h.feature) == other_.index &&
-             index_2d(h.feature) == point;
-    });
-  }
-
   const Moving2 &other_, &hollow_;
   double end_;
   const TouchSearch& search_;
@@ -108,11 +99,7 @@ class HollowSearch3 {
         scale_(search.size),
         axis_of_hollow_(hollow),
         axis_of_other_(other),
-        held_(other.shape) {
-    for (const HeldContact& h : search.held)
-      if (contactor_of(h.against) == hollow.index && contactor_of(h.feature) == other.index)
-        held_.add(feature_of(h.feature));
-  }
+        held_(other, hollow, search) {}
 
   std::array<double, 5> clearance() const { return {-1, 0, 0, 0, 0}; }
 
@@ -129,7 +116,7 @@ class HollowSearch3 {
     };
     const double speed = velocity.norm() + left * pull.norm();
     const Vec3 middle = so.arm(middle_of(other_.shape));
-    if (const Vec3 at = place_of(middle); !wall.holds(at)) {
+    if (const Vec3 at = place_of(middle); !wall.contains(at)) {
       const double beyond = std::abs(wall.axis().dot(at)) - wall.half_length();
       const double turning = sr.w_max * (at.norm() + left * speed);
       return outside_for(std::max(beyond, -wall.gap(at)), speed + so.w_max * middle.norm() + turning,
@@ -137,7 +124,7 @@ class HollowSearch3 {
     }
     double least = forever;
     /// One piece, whose greatest arm is `arm`, with its gap as a function of the places' motion.
-    const auto see = [&](double arm, double lever, bool opened, double slope, const auto& gap_at) {
+    const auto see = [&](double arm, double lever, Counts counts, double slope, const auto& gap_at) {
       const double fast = speed + so.w_max * arm;
       double horizon = left, acceleration = so.bend(arm);
       acceleration += sr.turns() || !wall.is_plane() ? pull.norm() : std::max(0.0, -wall.axis().dot(pull));
@@ -146,28 +133,30 @@ class HollowSearch3 {
           (sr.w_max * sr.w_max + sr.w_rate) * (lever + fast * horizon) + 2 * sr.w_max * fast + acceleration;
       const double offset = search_.slack - other_.shape.radius;
       const auto gap = [&](double time) { return gap_at(time) + offset - 0.5 * time * time * bend; };
-      if (!opened && !wall.is_plane() && gap(0.0) < -scale_.deep) {
+      if (counts != Counts::from_zero && !wall.is_plane() && gap(0.0) < -scale_.deep) {
         least = std::min(least, outside_for(-gap(0.0), fast + sr.w_max * lever, search_.size, left));
         return;
       }
-      least = std::min(least, within(horizon, left, safe_root(gap, slope, horizon, scale_, opened)));
+      least = std::min(least, within(horizon, left, safe_root(gap, slope, horizon, scale_, counts)));
     };
     const auto slope_at = [&](const Vec3& place, const Vec3& rate) {
       const Vec3 normal = wall.normal(place);
       return wall.gap(place) < wall.greatest_gap() ? normal.dot(rate) : -rate.norm();
     };
     const auto& points = other_.shape.points;
+    const Counts of_held = held_.counts(t);
     for (std::size_t i = 0; i < points.size() && least > 0; ++i) {
-      const bool held = held_.has(static_cast<int>(i));
-      if (held && search_.held_are_solved) continue;
+      const Counts counts = held_.of_a().has(static_cast<int>(i)) ? of_held : Counts::fully;
+      if (counts == Counts::never) continue;
       const Vec3 arm = so.arm(points[i]), place = place_of(arm), rate = rate_of(arm);
-      see(arm.norm(), place.norm(), held && t == 0, slope_at(place, rate),
+      see(arm.norm(), place.norm(), counts, slope_at(place, rate),
           [&](double time) { return wall.gap(place + time * rate); });
     }
     for (std::size_t k = 0; k < other_.shape.circles.size() && least > 0; ++k) {
       const Contactor3::Circle& circle = other_.shape.circles[k];
-      const int held = held_.contacts_of(static_cast<int>(points.size() + k));
-      if (held > 1 && search_.held_are_solved) continue;
+      const int contacts = held_.of_a().contacts_of(static_cast<int>(points.size() + k));
+      const Counts counts = contacts > 0 ? of_held : Counts::fully;
+      if (counts == Counts::never && contacts > 1) continue;
       const Ring now = ring_of({other_.shape, {so.x, so.turn.rotation}}, circle, sr.x);
       const auto turned = [&](const Vec3& v) -> Vec3 {
         return so.turn.spin.cross(v) - sr.turn.spin.cross(v);
@@ -180,9 +169,9 @@ class HollowSearch3 {
       const double arm = (now.centre - away).norm() + circle.radius,
                    lever = now.centre.norm() + circle.radius;
       const auto slope_of = [&](double angle) { return slope_at(now.at(angle), change.at(angle)); };
-      if (held == 1 && search_.held_are_solved) {
+      if (counts == Counts::never) {
         const double from = nearest[0] + next_place, to = nearest[0] + 2 * pi - next_place;
-        see(arm, lever, false, std::min(slope_of(from), slope_of(to)),
+        see(arm, lever, Counts::fully, std::min(slope_of(from), slope_of(to)),
             [&](double time) { return wall.least_gap(ring_at(time), from, to); });
         continue;
       }
@@ -190,7 +179,7 @@ class HollowSearch3 {
       for (const double angle : nearest)
         if (wall.gap(now.at(angle)) <= wall.gap(now.at(nearest[0])) + 1e-12 * search_.size)
           slope = std::min(slope, slope_of(angle));
-      see(arm, lever, held > 0 && t == 0, slope, [&](double time) { return wall.least_gap(ring_at(time)); });
+      see(arm, lever, counts, slope, [&](double time) { return wall.least_gap(ring_at(time)); });
     }
     return least;
   }
@@ -201,7 +190,7 @@ class HollowSearch3 {
   const TouchSearch& search_;
   GapScale scale_;
   AxisState axis_of_hollow_, axis_of_other_;
-  HeldPieces held_;
+  HeldPair held_;
 };
 
 }  // namespace

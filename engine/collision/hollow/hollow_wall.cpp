@@ -71,7 +71,7 @@ double HollowWall3::least_gap(const Ring& ring, double from, double to) const {
   return least;
 }
 
-bool HollowWall3::holds(const Vec3& middle) const {
+bool HollowWall3::contains(const Vec3& middle) const {
   return plane_ || (std::abs(axis_.dot(middle)) <= half_ && gap(middle) > -HollowWall2::wall_share * radius_);
 }
 
@@ -98,7 +98,7 @@ void hollow_contacts(Workspace&, const Placed2& other, const Placed2& hollow, do
                      Contacts<2>& out) {
   const HollowWall2 wall(hollow);
   const Vec2& origin = hollow.pose.x;
-  if (!wall.holds(other.pose * middle_of(other.shape) - origin)) return;
+  if (!wall.contains(other.pose * middle_of(other.shape) - origin)) return;
   const double radius = other.shape.radius;
   for (int i = 0; i < other.count(); ++i) {
     const Vec2 place = other.point(i), normal = wall.normal(place - origin);
@@ -112,7 +112,7 @@ void hollow_contacts(Workspace&, const Placed3& other, const Placed3& hollow, do
                      Contacts<3>& out) {
   const HollowWall3 wall(hollow);
   const Vec3& origin = hollow.pose.x;
-  if (!wall.holds(other.pose * middle_of(other.shape) - origin)) return;
+  if (!wall.contains(other.pose * middle_of(other.shape) - origin)) return;
   const double radius = other.shape.radius;
   const std::size_t begin = out.size();
   const auto see = [&](const Vec3& place, const ShapeFeature& feature) {

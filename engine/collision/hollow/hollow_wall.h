@@ -29,7 +29,7 @@ class HollowWall2 {
   Vec2 normal(const Vec2& from) const;
   /// Whether a contactor touches the wall: its middle is inside. That of a point may be on the wall, and in
   /// it by what a step leaves.
-  bool holds(const Vec2& middle) const { return middle.norm() < radius_ * (1 + wall_share); }
+  bool contains(const Vec2& middle) const { return middle.norm() < radius_ * (1 + wall_share); }
   static constexpr double wall_share = 1e-4;
 
  private:
@@ -51,7 +51,7 @@ class HollowWall3 {
   /// The least gap over the arc between two angles.
   double least_gap(const Ring& ring, double from, double to) const;
   /// Whether a contactor touches the wall: its middle is inside, between the ends of a hollow cylinder.
-  bool holds(const Vec3& middle) const;
+  bool contains(const Vec3& middle) const;
   const Vec3& axis() const { return axis_; }
   bool is_plane() const { return plane_; }
   /// Between the middle and each end of a hollow cylinder, along the axis; infinite for a plane [m].

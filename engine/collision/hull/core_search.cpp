@@ -4,7 +4,7 @@
 #include <array>
 
 #include "collision/advance_3d.h"
-#include "collision/held.h"
+#include "collision/held_3d.h"
 #include "collision/hull/separating_axis.h"
 #include "collision/pair_search.h"
 #include "collision/pill/closest.h"
@@ -98,7 +98,7 @@ class PairSearch {
         held_(a, b, by, search),
         scale_(search.size),
         by_(by),
-        by_pairs_(by == CoreSearch::pill && !search.held.empty()) {}
+        by_pairs_(by == CoreSearch::pill && !search.held.list.empty()) {}
 
   /// How long the direction of the last call separates the pair [s]. If it no longer does, the best direction
   /// is used.
@@ -115,7 +115,7 @@ class PairSearch {
   using Direction = SeparatingDirection;
 
   static bool is_ball(const Placed3& core) { return core.count() == 1; }
-  Held::Features features_of(const Direction& d) const {
+  HeldPoints::Features features_of(const Direction& d) const {
     if (d.kind == Direction::Kind::of_a) return {d.feature, {}};
     if (d.kind == Direction::Kind::of_b) return {{}, d.feature};
     return {a_.id(FeatureKind::edge, d.edge_a), b_.id(FeatureKind::edge, d.edge_b)};
@@ -130,9 +130,9 @@ class PairSearch {
 
   /// The safe time for one pair of points. `turn` and `turn_rate` are bounds on |n'| and |n''|.
   double point_lasts(double gap, double slope, double lever, double turn, double turn_rate, const Bounds& b,
-                     bool opened, double t) const {
+                     Counts counts, double t) const {
     const double bend = bend_of(turn, turn_rate, lever, b);
-    return within(b.horizon, end_ - t, safe_time(gap + search_.slack, slope, bend, scale_, opened));
+    return within(b.horizon, end_ - t, safe_time(gap + search_.slack, slope, bend, scale_, counts));
   }
 
   static double bend_of(double turn, double turn_rate, double lever, const Bounds& b) {
@@ -150,21 +150,21 @@ class PairSearch {
   };
   Supports supports_of(const Direction& d, const Vec3& normal, const Moving3& reference,
                        const MovingState& sr, const MovingState& so, int j) const {
+    const auto hold_of = [&](int i) {
+      return &reference == &a_ ? held_.hold(-normal, features_of(d), i, j, sr, so)
+                               : held_.hold(normal, features_of(d), j, i, so, sr);
+    };
     Supports supports;
+    if (!by_pairs_) {  // a contact with a feature holds all of its points
+      (hold_of(0) == Hold::no ? supports.free : supports.held) = d.support;
+      return supports;
+    }
     for (int i = 0; i < static_cast<int>(reference.shape.points.size()); ++i) {
-      const Hold hold = &reference == &a_ ? held_.hold(-normal, features_of(d), i, j, sr, so)
-                                          : held_.hold(normal, features_of(d), j, i, so, sr);
+      const Hold hold = hold_of(i);
       double& support = hold == Hold::no ? supports.free : supports.held;
       support = std::max(support, d.local.dot(reference.shape.points[i]));
       supports.drifts = supports.drifts || hold == Hold::for_now;
     }
-    return supports;
-  }
-
-  /// The same where a contact with a feature holds all of its points.
-  Supports common_support(const Direction& d, int j) const {
-    Supports supports;
-    (held_.holds_on(features_of(d), j) ? supports.held : supports.free) = d.support;
     return supports;
   }
 
@@ -193,24 +193,24 @@ class PairSearch {
     const Bounds of_all = bounds_of(greatest, std::max(0.0, away - greatest));
     const double bend = bend_of(turn, turn_rate, away + greatest, of_all);
     const Heights heights(normal, normal_rate, so, sr.x, sr.v);
+    const Counts of_held = search_.held.counts(Hold::exactly, t);
     double least = forever;
     for (int j = 0; j < static_cast<int>(other.shape.points.size()) && least > 0; ++j) {
       const Vec3& p = other.shape.points[j];
       const double gap = heights.of(p) - offset, slope = heights.rate(p), time = std::min(least, left);
       if (time <= of_all.horizon && stays_open(gap + margin(), slope, bend, time)) continue;
-      const Supports supports =
-          by_pairs_ ? supports_of(d, normal, reference, sr, so, j) : common_support(d, j);
-      if (supports.free == -forever && search_.held_are_solved && !supports.drifts) continue;
+      const Supports supports = supports_of(d, normal, reference, sr, so, j);
+      if (supports.free == -forever && of_held == Counts::never && !supports.drifts) continue;
       const Vec3 arm = so.arm(p);
       const double lever = (so.x + arm - sr.x).norm();
       const Bounds bounds = bounds_of(arm.norm(), lever);
-      const auto see = [&](double support, bool opened) {
+      const auto see = [&](double support, Counts counts) {
         least = std::min(least, point_lasts(gap + (d.support - support), slope, lever, turn, turn_rate,
-                                            bounds, opened, t));
+                                            bounds, counts, t));
       };
-      if (supports.free > -forever) see(supports.free, false);
-      if (supports.held > -forever && !search_.held_are_solved) see(supports.held, t == 0);
-      if (supports.drifts && search_.held_are_solved)
+      if (supports.free > -forever) see(supports.free, Counts::fully);
+      if (supports.held > -forever && of_held != Counts::never) see(supports.held, of_held);
+      if (supports.drifts && of_held == Counts::never)
         least = std::min(least, within(drift_time(sr, so, bounds.speed), left, forever));
     }
     return least;
@@ -245,18 +245,20 @@ class PairSearch {
       const double gap = of_a.of(pa) - of_b.of(pb) - radii, slope = of_a.rate(pa) - of_b.rate(pb);
       if (stays_open(gap + margin(), slope, bend, std::min(least, end_ - t))) return;
       const Hold hold = held_.hold(normal, features_of(d), i, j, sa, sb);
-      // The contact of a pill drifts from the direction; that of other features of hulls has this normal only
-      // now, so its point may sink along it by so much.
-      const bool may_sink = hold == Hold::for_now && search_.held_are_solved && by_ != CoreSearch::pill;
-      if (hold != Hold::no && search_.held_are_solved && !may_sink) {
-        if (hold == Hold::for_now)
+      Counts counts = search_.held.counts(hold, t);
+      double sinking = 0;
+      if (counts == Counts::never) {
+        // The contact of a pill drifts from the direction; that of other features of hulls has this normal
+        // only now, so its point may sink along it by so much.
+        if (hold == Hold::for_now && by_ == CoreSearch::pill)
           least = std::min(least, within(drift_time(sa, sb, bounds.speed), end_ - t, forever));
-        return;
+        if (hold == Hold::exactly || by_ == CoreSearch::pill) return;
+        sinking = most_sinking * search_.size;
+        counts = t == 0 ? Counts::from_zero : Counts::fully;
       }
       const Vec3 away = sa.x + sa.arm(pa) - sb.x - sb.arm(pb);
       least =
-          std::min(least, point_lasts(gap + (may_sink ? most_sinking * search_.size : 0), slope, away.norm(),
-                                      turn, turn_rate, bounds, hold != Hold::no && t == 0, t));
+          std::min(least, point_lasts(gap + sinking, slope, away.norm(), turn, turn_rate, bounds, counts, t));
     };
     // The ends of the two edges are nearest. After them, most points of a cannot shorten the time, whichever
     // point of b they are compared with.
@@ -338,14 +340,10 @@ class PairSearch {
   /// The directions of the contacts of edges of a with edges of the facet b.
   template <class Try>
   void try_held_edges(const Placed3& a, const Placed3& b, const Try& try_direction) const {
-    for (const HeldOnGround& h : b_.held) {
-      if (contactor_of(h.feature) != a_.index || kind_of(h.feature) != FeatureKind::edge) continue;
-      for (int i = 0; i < 3; ++i) {
-        if (h.against != b_.facet->edge_feature(i)) continue;
-        const Vec3 outward = b_.facet->normal + b_.facet->beyond[i];
-        try_direction(across_edges({index_of(h.feature), i, -outward, 0}, a, b));
-      }
-    }
+    held_.for_edges([&](int of_a, int of_b) {
+      const Vec3 outward = b_.facet->normal + b_.facet->beyond[of_b];
+      try_direction(across_edges({of_a, of_b, -outward, 0}, a, b));
+    });
   }
 
   /// The directions of the line between the nearest places of two cores. It turns with either contactor, or
@@ -361,17 +359,16 @@ class PairSearch {
     if (nearest.of_a.kind == FeatureKind::edge && nearest.of_b.kind == FeatureKind::edge)
       try_direction(across_edges({nearest.of_a.index, nearest.of_b.index, -nearest.normal, 0}, a, b));
     if (!b_.facet && by_pairs_)
-      for (const HeldContact& h : search_.held)
-        if (contactor_of(h.feature) == a_.index && contactor_of(h.against) == b_.index &&
-            kind_of(h.feature) == FeatureKind::edge && kind_of(h.against) == FeatureKind::edge)
-          try_direction(across_edges({index_of(h.feature), index_of(h.against), -nearest.normal, 0}, a, b));
+      held_.for_edges([&](int of_a, int of_b) {
+        try_direction(across_edges({of_a, of_b, -nearest.normal, 0}, a, b));
+      });
   }
 
   const Moving3& a_;
   const Moving3& b_;
   double end_;
   const TouchSearch& search_;
-  Held held_;
+  HeldPoints held_;
   GapScale scale_;
   std::optional<MovingState> sb_;
   Direction direction_;
@@ -387,17 +384,13 @@ std::optional<double> advance_cores(const Moving3& a, const Moving3& b, CoreSear
   return advance(PairSearch(a, b, by, window.b, search), window, search.iterations);
 }
 
-std::optional<double> ball_core_touch(Workspace&, const Moving3& a, const Moving3& b, double t_max,
-                                      const TouchSearch& search) {
-  return advance_cores(a, b, CoreSearch::ball, {0, t_max}, search);
-}
-std::optional<double> pill_touch(Workspace&, const Moving3& a, const Moving3& b, double t_max,
+template <CoreSearch by>
+std::optional<double> core_touch(Workspace&, const Moving3& a, const Moving3& b, double t_max,
                                  const TouchSearch& search) {
-  return advance_cores(a, b, CoreSearch::pill, {0, t_max}, search);
+  return advance_cores(a, b, by, {0, t_max}, search);
 }
-std::optional<double> hull_touch(Workspace&, const Moving3& a, const Moving3& b, double t_max,
-                                 const TouchSearch& search) {
-  return advance_cores(a, b, CoreSearch::hull, {0, t_max}, search);
-}
+template FindTouch<3> core_touch<CoreSearch::ball>;
+template FindTouch<3> core_touch<CoreSearch::pill>;
+template FindTouch<3> core_touch<CoreSearch::hull>;
 
 }  // namespace flyrock

@@ -99,13 +99,12 @@ class Search {
     double growth = reference.motion.swell.growth + other.motion.swell.growth;  ///< m/s2
   };
 
-  /// Whether a held contact counts at time t: one of the solver always, one that has just opened at the
-  /// start.
-  bool is_held(const Pair& pair, int point, double t) const {
-    if (!search_.held_are_solved && t != 0) return false;
+  /// How the gap of a point over the edge counts at time t.
+  Counts counts(const Pair& pair, int point, double t) const {
     const FeatureId of_edge = pair.reference.edge_id(pair.reference.base, pair.edge);
     const FeatureId of_point = pair.other.point_id(pair.other.base, point);
-    return pair.reference_is_a ? search_.holds(of_edge, of_point) : search_.holds(of_point, of_edge);
+    return pair.reference_is_a ? search_.held.counts(of_edge, of_point, t)
+                               : search_.held.counts(of_point, of_edge, t);
   }
 
   /// Whether a point is now above the edge, between its ends.
@@ -158,9 +157,9 @@ class Search {
     const auto see = [&](int j) {
       const GapBound bound = gaps.of(other.points[j]);
       if (bound.stays_open(std::min(least, left))) return;
-      const bool held = is_held(pair, j, t);
-      if (held && search_.held_are_solved) return;
-      const double time = within(left, left, bound.safe_time(std::min(least, left), scale_, held));
+      const Counts counted = counts(pair, j, t);
+      if (counted == Counts::never) return;
+      const double time = within(left, left, bound.safe_time(std::min(least, left), scale_, counted));
       if (time <= 0 && bound.slope < 0) note_touch(pair, bound.gap, j);
       if (time < least) least = time, closing = bound, closing_point = j;
     };
@@ -174,9 +173,9 @@ class Search {
     }
     see(nearest);
     const OpenUntil open(gaps, std::min(least, left));
-    if (least > 0 && !open.holds_from(second, other.reach))
+    if (least > 0 && !open.lasts_from(second, other.reach))
       for (int j = 0; j < other.count && least > 0; ++j)
-        if (j != nearest && !open.holds(other.points[j])) see(j);
+        if (j != nearest && !open.lasts(other.points[j])) see(j);
     if (least > 0 && least < left) note_end(pair, closing, closing_point, least);
     return least;
   }
@@ -205,8 +204,8 @@ class Search {
     GapBound closing{};
     int closing_point = 0;
     for (int j = 0; j < other.count && least > 0; ++j) {
-      const bool held = is_held(pair, j, t);
-      if (held && search_.held_are_solved) continue;
+      const Counts counted = counts(pair, j, t);
+      if (counted == Counts::never) continue;
       const Vec2 arm = so.r * other.points[j];
       const Vec2 w = so.x + arm - sr.x;
       const Vec2 velocity = so.v + cross(so.w, arm) - sr.v;
@@ -221,7 +220,7 @@ class Search {
                            sr.turn3 * longest + 3 * sr.turn2 * speed +
                                3 * sr.turn1 * (pull + so.turn2 * reach) + so.turn3 * reach,
                            bend + sr.turn2 * longest};
-      const double time = within(horizon, left, bound.safe_time(horizon, scale_, held));
+      const double time = within(horizon, left, bound.safe_time(horizon, scale_, counted));
       if (time <= 0 && bound.slope < 0) note_touch(pair, bound.gap, j);
       if (time < least) least = time, closing = bound, closing_point = j;
     }
@@ -238,13 +237,13 @@ class Search {
     for (int i = 0; i < a_.count; ++i) {
       for (int j = 0; j < b_.count && least > 0; ++j) {
         const FeatureId feature = a_.point_id(a_.base, i), against = b_.point_id(b_.base, j);
-        const bool is_held = search_.holds(feature, against);
-        if (is_held && search_.held_are_solved) continue;
+        const Counts counted = search_.held.counts(feature, against, t);
+        if (counted == Counts::never) continue;
         const Vec2 ra = sa.r * a_.points[i], rb = sb.r * b_.points[j];
         const double gap = d.dot(sa.x + ra - sb.x - rb) - sa.radius - sb.radius + search_.slack;
         const double slope = d.dot(sa.v + cross(sa.w, ra) - sb.v - cross(sb.w, rb)) - swells;
         const double bend = along + sa.turn2 * ra.norm() + sb.turn2 * rb.norm();
-        least = std::min(least, safe_time(gap, slope, bend, scale_, is_held && t == 0));
+        least = std::min(least, safe_time(gap, slope, bend, scale_, counted));
       }
     }
     return least;

@@ -24,12 +24,12 @@ class DiskSearch {
       : radius_(radius), feature_(feature), motion_(motion), ground_(ground), search_(search) {}
 
   void segment(int i, const TimeWindow& window, std::optional<double>& best) const {
-    const bool held = search_.holds(feature_, segment_id(i));
-    if (held && search_.held_are_solved) return;
+    const Counts counts = search_.held.counts(feature_, segment_id(i), 0);
+    if (counts == Counts::never) return;
     const Vec2& n = ground_.normal(i);
     const Swell& swell = motion_.swell;
     const std::array<double, 3> gap{
-        search_.start_gap(n.dot(motion_.x - ground_.start(i)) - (radius_ + swell.by), held),
+        search_.start_gap(n.dot(motion_.x - ground_.start(i)) - (radius_ + swell.by), counts),
         n.dot(motion_.v) - swell.rate, 0.5 * (n.dot(motion_.a) - swell.growth)};
     const auto t = first_approach(gap, window.a, window.b);
     if (!t || (best && *t >= *best)) return;
@@ -42,12 +42,12 @@ class DiskSearch {
 
   void corner(int i, const TimeWindow& window, std::optional<double>& best) const {
     if (ground_.corner(i) != Corner::convex || radius_ == 0) return;  // a point meets a segment first
-    const bool held = search_.holds(feature_, corner_id(i));
-    if (held && search_.held_are_solved) return;
+    const Counts counts = search_.held.counts(feature_, corner_id(i), 0);
+    if (counts == Counts::never) return;
     const Path<2> relative{motion_.x - ground_.point(i), motion_.v, motion_.a};
     const double start = radius_ + motion_.swell.by;
     const auto square =
-        ball_gap(relative, start, motion_.swell, search_.start_gap(relative.x.norm() - start, held));
+        ball_gap(relative, start, motion_.swell, search_.start_gap(relative.x.norm() - start, counts));
     const auto t = first_approach(square, window.a, window.b);
     if (t && (!best || *t < *best)) best = t;
   }
@@ -156,14 +156,12 @@ class ClearSegments {
                           .w = motion.w,
                           .alpha = motion.alpha};
     const OpenUntil open(gaps, t_max);
-    Line line{.segment = i, .above = open.holds_from(-hull_.reach, hull_.reach)};
+    Line line{.segment = i, .above = open.lasts_from(-hull_.reach, hull_.reach)};
     if (line.above) return line;
     for (int k = 0; k < hull_.count; ++k) {
       const Vec2& p = hull_.points[k];
-      if (open.holds(p)) continue;
-      const bool held =
-          search_.held_are_solved && search_.holds(hull_.point_id(hull_.base, k), segment_id(i));
-      if (!held) return line;
+      if (open.lasts(p)) continue;
+      if (search_.held.counts(hull_.point_id(hull_.base, k), segment_id(i), 0) != Counts::never) return line;
       const Vec2 place = motion.x + hull_.start * p;
       line.start_is_free = line.start_is_free && (place - ground_.start(i)).norm() > travel_;
       line.end_is_free = line.end_is_free && (place - ground_.end(i)).norm() > travel_;
@@ -180,10 +178,6 @@ class ClearSegments {
 };
 
 }  // namespace
-
-double TouchSearch::start_gap(double gap, bool just_opened) const {
-  return just_opened && std::abs(gap) <= 1e-6 * size ? 0.0 : gap + slack;
-}
 
 std::optional<double> hull_touch_of_ground(Workspace&, const Moving2& moving, const Ground2& ground,
                                            double t_max, const TouchSearch& search) {

@@ -44,10 +44,10 @@ struct OpenUntil {
         lowest_then(lowest - time * (gaps.centre.slope - 0.5 * time * gaps.centre.bend)),
         rise_then(gaps.rise + time * gaps.w * gaps.across()) {}
   /// Of all points at this height or above it, at most `reach` from the origin of the hull.
-  bool holds_from(double height, double reach) const {
+  bool lasts_from(double height, double reach) const {
     return height > lowest && height - time * std::abs(gaps.w) * reach > lowest_then;
   }
-  bool holds(const Vec2& p) const {
+  bool lasts(const Vec2& p) const {
     return gaps.rise.dot(p) > lowest && (rise_then.dot(p) > lowest_then || gaps.of(p).stays_open(time));
   }
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
 
-#include "collision/held.h"
+#include "collision/held_3d.h"
 #include "collision/pair_search.h"
 #include "collision/rules.h"
 #include "collision/safe_root.h"
@@ -63,8 +63,8 @@ class CircleSearch {
       attempt(with_a(pair.apart.normal, sa));
     }
     if (b_.facet)
-      for (const HeldOnGround& h : b_.held)
-        if (kind_of(h.against) == FeatureKind::face) attempt(with_b(h.normal, sb));
+      for (const HeldOnGround& h : b_.held_on_ground)
+        if (kind_of(h.against) == FeatureKind::face) attempt(with_b(h.upward, sb));
     return best;
   }
 
@@ -111,12 +111,6 @@ class CircleSearch {
     return sunk_ + rim_sinking * search_.size;
   }
 
-  /// Whether a direction stays the normal of a held contact while the bodies move: that of its face or cap.
-  bool holds_exactly(const Direction& d) const {
-    return d.face >= 0 &&
-           (d.turns == Direction::Turns::with_a ? held_.has_face_of_a(d.face) : held_.has_face_of_b(d.face));
-  }
-
   /// How long a direction separates the pair from t on [s]. `sa`, `sb`: as AxisState gives them.
   double separates(const Direction& d, const MovingState& sa, const MovingState& sb,
                    const MovingState& body_a, const MovingState& body_b, double t) {
@@ -139,7 +133,7 @@ class CircleSearch {
     double least = within(horizon, left, forever);
 
     /// The pairs of some pieces of a with some of b.
-    const auto see = [&](const auto& some_a, const auto& some_b, bool opened, double sinking = 0) {
+    const auto see = [&](const auto& some_a, const auto& some_b, Counts counts, double sinking = 0) {
       if (least <= 0) return;
       const auto slope_of = [&](const std::vector<PieceHeight>& pieces, const auto& some) {
         const double low = lowest(pieces, some, 0) + 1e-12 * search_.size;
@@ -154,26 +148,29 @@ class CircleSearch {
       };
       if (gap(0) == forever) return;
       const double time =
-          safe_root(gap, slope_of(of_a_, some_a) + slope_of(of_b_, some_b), horizon, scale_, opened);
+          safe_root(gap, slope_of(of_a_, some_a) + slope_of(of_b_, some_b), horizon, scale_, counts);
       least = std::min(least, within(horizon, left, time));
     };
     const auto all = [](int) { return true; };
-    if (!is_held_along(d)) {
-      see(all, all, false);
+    const bool turns_with_b = d.turns == Direction::Turns::with_b;
+    const Hold hold = held_.hold(d.normal, {turns_with_b, d.face}, nearest_, touches_);
+    if (hold == Hold::no) {
+      see(all, all, Counts::fully);
       return least;
     }
     const auto held_a = [&](int i) { return held_.of_a().has(i); };
     const auto held_b = [&](int i) { return held_.of_b().has(i); };
-    see([&](int i) { return !held_a(i); }, all, false);
+    see([&](int i) { return !held_a(i); }, all, Counts::fully);
     see(
-        held_a, [&](int i) { return !held_b(i); }, false);
-    if (!held_.are_solved()) {
-      see(held_a, held_b, t == 0);
+        held_a, [&](int i) { return !held_b(i); }, Counts::fully);
+    if (const Counts counts = held_.counts(t); counts != Counts::never) {
+      see(held_a, held_b, counts);
       return least;
     }
     if (!held_.yields())
-      see(held_a, held_b, false, may_sink(lowest(of_a_, held_a, 0) + lowest(of_b_, held_b, 0) + offset, t));
-    if (!holds_exactly(d)) {
+      see(held_a, held_b, Counts::fully,
+          may_sink(lowest(of_a_, held_a, 0) + lowest(of_b_, held_b, 0) + offset, t));
+    if (hold == Hold::for_now) {
       constexpr double small = 1e-3;  // rad, by which the normal of the contact may drift from the direction
       const double rate = sa.w_max + sb.w_max + speed / std::min(search_.size, a_.shape.bound);
       if (rate > 0) least = std::min(least, within(small / rate, left, forever));
@@ -205,19 +202,9 @@ class CircleSearch {
       if (first[i].isZero(0)) first[i] = circle.towards(heights.rise());
       const Vec3 arm = circle.radius * first[i];
       const double time = safe_time(arm.dot(heights.rise()) - level * search_.size, arm.dot(heights.change()),
-                                    circle.radius * turning, scale_, false);
+                                    circle.radius * turning, scale_, Counts::fully);
       least = std::min(least, within(horizon, left, time));
     }
-  }
-
-  /// Whether the contacts of the pair have this normal. A contact with an edge or a vertex holds the facets
-  /// about it. One of these may be nearest to another place of the contactor: then they are apart, and the
-  /// contact has another normal.
-  bool is_held_along(const Direction& d) const {
-    constexpr double same_direction = 1 - 5e-7;  // cosine of 1e-3 rad
-    if (!held_.any() || (d.face >= 0 && !holds_exactly(d))) return false;
-    if (b_.facet && d.face == 0 && d.turns == Direction::Turns::with_b && held_.in_plane()) return true;
-    return (touches_ || held_.in_plane()) && d.normal.dot(nearest_) > same_direction;
   }
 
   const Moving3& a_;

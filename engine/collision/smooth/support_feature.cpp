@@ -76,6 +76,7 @@ bool contains_piece(const Contactor3& shape, const ShapeFeature& feature, int pi
   }
   if (feature.kind == FeatureKind::vertex) return piece == i;
   if (feature.kind == FeatureKind::edge) return shape.edges[i].start == piece || shape.edges[i].end == piece;
+  if (shape.faces.empty()) return true;  // the plane of a half space
   const Contactor3::Face& face = shape.faces[i];
   const auto* loop = &shape.loop[face.first];
   return std::find(loop, loop + face.count, piece) != loop + face.count;

@@ -23,8 +23,8 @@ TEST_CASE(
     const double slope = rate - arm * spin * std::sin(phase);
     const double curvature = -g - arm * spin * spin * std::cos(phase);
     const double bend = g + arm * spin * spin, jerk = arm * spin * spin * spin, longest = 2 * unit(rng);
-    const double second = std::min(longest, safe_time(lift, slope, bend, scale, false));
-    const double third = GapBound{lift, slope, curvature, jerk, bend}.safe_time(longest, scale, false);
+    const double second = std::min(longest, safe_time(lift, slope, bend, scale, Counts::fully));
+    const double third = GapBound{lift, slope, curvature, jerk, bend}.safe_time(longest, scale, Counts::fully);
     INFO("case " << k << ": " << second << " s and " << third << " s of " << longest << " s");
     REQUIRE(third >= second * (1 - 1e-12));
     for (int i = 1; i <= 100; ++i) REQUIRE(gap(third * i / 100) > -1e-12);
@@ -41,8 +41,8 @@ TEST_CASE(
 TEST_CASE("a pair that has just separated is open until its bound returns to zero") {
   const GapScale scale(1);
   const GapBound thrown{0, 2, -9.81, 0, 9.81};
-  CHECK(thrown.safe_time(10, scale, true) == Approx(2 * 2 / 9.81).epsilon(1e-12));
-  CHECK(thrown.safe_time(0.1, scale, true) == 0.1);
-  CHECK(GapBound{0, -1, -9.81, 0, 9.81}.safe_time(10, scale, true) == 0);
-  CHECK(GapBound{-1e-3, 1, 0, 0, 0}.safe_time(10, scale, false) == 0);  // too deep to recover
+  CHECK(thrown.safe_time(10, scale, Counts::from_zero) == Approx(2 * 2 / 9.81).epsilon(1e-12));
+  CHECK(thrown.safe_time(0.1, scale, Counts::from_zero) == 0.1);
+  CHECK(GapBound{0, -1, -9.81, 0, 9.81}.safe_time(10, scale, Counts::from_zero) == 0);
+  CHECK(GapBound{-1e-3, 1, 0, 0, 0}.safe_time(10, scale, Counts::fully) == 0);  // too deep to recover
 }

@@ -56,7 +56,7 @@ TEST_CASE(
   std::vector<HeldContact> held;
   for (int i = 0; i < 8; ++i) held.push_back({feature_id(0, FeatureKind::vertex, i), ground});
   TouchSearch search;
-  search.held = held;
+  search.held.list = held;
   for (const Contactor3* shape : {&ball, &cube}) {
     CHECK(
         time_of_contact<3>(scratch(), {*shape, thrown({0, 0, 0.5}, {1, 2, 3})}, level, 10, search).value() ==
@@ -68,7 +68,7 @@ TEST_CASE(
     weightless.a.setZero();
     CHECK_FALSE(time_of_contact<3>(scratch(), {*shape, weightless}, level, 10, search));
     TouchSearch solved = search;
-    solved.held_are_solved = true;
+    solved.held.are_solved = true;
     CHECK_FALSE(time_of_contact<3>(scratch(), {*shape, thrown({0, 0, 0.5}, {0, 0, -1})}, level, 10, solved));
   }
   // On a body that stays below.
@@ -79,7 +79,7 @@ TEST_CASE(
   while (cube.faces[top].normal.z() != 1) ++top;
   for (int i = 0; i < 8; ++i)
     held.push_back({feature_id(0, FeatureKind::vertex, i), feature_id(0, FeatureKind::face, top)});
-  search.held = held;
+  search.held.list = held;
   for (const Contactor3* shape : {&ball, &cube}) {
     const auto t =
         time_of_contact<3>(scratch(), {*shape, thrown({0.1, 0, 0.5}, {0, 0, 3})}, {cube, below}, 10, search);
@@ -207,17 +207,17 @@ TEST_CASE(
   std::vector<HeldContact> held;
   for (const auto& c : contacts) held.push_back({c.feature, c.against});
   std::uint64_t iterations = 0;
-  const TouchSearch search{held, true, 0.5e-9, 1, &iterations};
+  const TouchSearch search{{held, true}, 0.5e-9, 1, &iterations};
   CHECK_FALSE(time_of_contact<3>(scratch(), {cube, above}, {cube, below}, 1e-3, search));
   CHECK(iterations < 100);
   // The other way round, and a third that comes down on it.
   for (auto& h : held) std::swap(h.feature, h.against);
   CHECK_FALSE(time_of_contact<3>(scratch(), {cube, below}, {cube, above}, 1e-3,
-                                 {held, true, 0.5e-9, 1, &iterations}));
+                                 {{held, true}, 0.5e-9, 1, &iterations}));
   Motion3 third = above;
   third.x.z() += 1 + 5e-4;
   third.v.z() = -1;
-  CHECK(time_of_contact<3>(scratch(), {cube, third}, {cube, above}, 1e-3, {{}, true, 0, 1, &iterations})
+  CHECK(time_of_contact<3>(scratch(), {cube, third}, {cube, above}, 1e-3, {{{}, true}, 0, 1, &iterations})
             .value() == Approx(5e-4).epsilon(1e-9));
 }
 

@@ -45,7 +45,7 @@ TEST_CASE("a pair released at gap 0 returns if it has a speed away, else it touc
   const Terrain2 ground = level();
   const HeldContact held[] = {{vertex_id(0, 0), segment_id(0)}};
   TouchSearch search;
-  search.held = held;
+  search.held.list = held;
   const Contactor2 disk = Contactor2::disk(0.5);
   CHECK(time_of_contact<2>(scratch(), {disk, thrown({0, 0.5}, {1, 3})}, ground, 10, search).value() ==
         Approx(6 / 9.81).epsilon(1e-15));

@@ -1,8 +1,9 @@
-#include "collision/held.h"
+#include "collision/held_3d.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "collision/pairs.h"
 #include "collision/smooth/support_feature.h"
 
 namespace flyrock {
@@ -20,18 +21,18 @@ bool contains(const Moving3& c, FeatureId feature, int point) {
 bool is_in_plane(const HeldOnGround& held, const Facet& facet, double size) {
   constexpr double same = 1e-10;  // rad, and m per m
   return kind_of(held.against) == FeatureKind::face &&
-         (held.normal - facet.normal).squaredNorm() <= same * same &&
+         (held.upward - facet.normal).squaredNorm() <= same * same &&
          std::abs(facet.distance(held.place)) <= same * size;
 }
 
-bool Held::holds(FeatureId feature, FeatureId against) const {
-  if (by_ != CoreSearch::ball) return search_.holds(feature, against);
-  return std::any_of(search_.held.begin(), search_.held.end(), [&](const HeldContact& h) {
+bool HeldPoints::has(FeatureId feature, FeatureId against) const {
+  if (by_ != CoreSearch::ball) return search_.held.hold(feature, against) != Hold::no;
+  return std::any_of(search_.held.list.begin(), search_.held.list.end(), [&](const HeldContact& h) {
     return contactor_of(h.feature) == a_.index && of_b(h.against);
   });
 }
 
-bool Held::of_b(FeatureId feature) const {
+bool HeldPoints::of_b(FeatureId feature) const {
   if (!b_.facet) return contactor_of(feature) == b_.index;
   bool known = feature == b_.facet->face_feature();
   for (int i = 0; i < 3; ++i)
@@ -39,21 +40,21 @@ bool Held::of_b(FeatureId feature) const {
   return known;
 }
 
-bool Held::over(FeatureId face, int i) const {
+bool HeldPoints::over(FeatureId face, int i) const {
   if (!b_.facet || face != b_.facet->face_feature()) return false;
   const FeatureId point = a_.id(FeatureKind::vertex, i);
-  return std::any_of(b_.held.begin(), b_.held.end(), [&](const HeldOnGround& h) {
+  return std::any_of(b_.held_on_ground.begin(), b_.held_on_ground.end(), [&](const HeldOnGround& h) {
     return h.feature == point && is_in_plane(h, *b_.facet, search_.size);
   });
 }
 
-bool Held::along_rim(const Vec3& direction, int i, int j, const MovingState& state_of_a) const {
-  return std::any_of(b_.held.begin(), b_.held.end(), [&](const HeldOnGround& h) {
+bool HeldPoints::along_rim(const Vec3& direction, int i, int j, const MovingState& state_of_a) const {
+  return std::any_of(b_.held_on_ground.begin(), b_.held_on_ground.end(), [&](const HeldOnGround& h) {
     if (contactor_of(h.feature) != a_.index || !contains(a_, h.feature, i) ||
         !h.contains(b_.facet->vertex[j]))
       return false;
     const int feature = index_of(h.feature);
-    if (kind_of(h.feature) == FeatureKind::vertex) return direction.dot(h.normal) > same_direction;
+    if (kind_of(h.feature) == FeatureKind::vertex) return direction.dot(h.upward) > same_direction;
     if (kind_of(h.feature) == FeatureKind::face)
       return -direction.dot(state_of_a.arm(a_.shape.faces[feature].normal)) > same_direction;
     const Contactor3::Edge& edge = a_.shape.edges[feature];
@@ -67,7 +68,7 @@ bool Held::along_rim(const Vec3& direction, int i, int j, const MovingState& sta
   });
 }
 
-Held::Place Held::place_of(const Moving3& c, FeatureId feature, const MovingState& s) {
+HeldPoints::Place HeldPoints::place_of(const Moving3& c, FeatureId feature, const MovingState& s) {
   const int i = index_of(feature);
   Place place{kind_of(feature), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   int point = i;
@@ -83,7 +84,7 @@ Held::Place Held::place_of(const Moving3& c, FeatureId feature, const MovingStat
 }
 
 /// Unit, from b to a. A point or a line without an edge has the direction zero.
-Vec3 Held::normal_of(const Place& a, const Place& b) {
+Vec3 HeldPoints::normal_of(const Place& a, const Place& b) {
   if (b.kind == FeatureKind::face) return b.normal;
   if (a.kind == FeatureKind::face) return -a.normal;
   const Vec3 away = a.at - b.at, across = a.along.cross(b.along);
@@ -94,27 +95,27 @@ Vec3 Held::normal_of(const Place& a, const Place& b) {
   return (square > 0 ? Vec3(away - along.dot(away) / square * along) : away).normalized();
 }
 
-bool Held::agrees(const Vec3& direction, const Place& a, const Place& b) const {
+bool HeldPoints::agrees(const Vec3& direction, const Place& a, const Place& b) const {
   return direction.dot(normal_of(a, b)) > same_direction;
 }
 
-bool Held::holds_on(const Features& of, int point) const {
-  if (of.of_a) return holds(*of.of_a, b_.id(FeatureKind::vertex, point));
-  return holds(a_.id(FeatureKind::vertex, point), *of.of_b) || over(*of.of_b, point);
+bool HeldPoints::holds_on(const Features& of, int point) const {
+  if (of.of_a) return has(*of.of_a, b_.id(FeatureKind::vertex, point));
+  return has(a_.id(FeatureKind::vertex, point), *of.of_b) || over(*of.of_b, point);
 }
 
-bool Held::holds_edges(const Features& of, int i, int j) const {
+bool HeldPoints::holds_edges(const Features& of, int i, int j) const {
   const auto on_edge_of_b = [&] {
     if (!b_.facet) return contains(b_, *of.of_b, j);
     for (int rim = 0; rim < 3; ++rim)
       if (b_.facet->edge_feature(rim) == *of.of_b) return j == rim || j == Facet::next(rim);
     return false;
   };
-  return contains(a_, *of.of_a, i) && on_edge_of_b() && holds(*of.of_a, *of.of_b);
+  return contains(a_, *of.of_a, i) && on_edge_of_b() && has(*of.of_a, *of.of_b);
 }
 
-Hold Held::hold(const Vec3& direction, const Features& of, int i, int j, const MovingState& sa,
-                const MovingState& sb) const {
+Hold HeldPoints::hold(const Vec3& direction, const Features& of, int i, int j, const MovingState& sa,
+                      const MovingState& sb) const {
   const bool of_edges = of.of_a && of.of_b;
   const bool exactly = of_edges ? holds_edges(of, i, j) : holds_on(of, of.of_a ? j : i);
   if (by_ == CoreSearch::pill) return exactly ? Hold::exactly : drifts_from(direction, i, j, sa, sb);
@@ -122,8 +123,8 @@ Hold Held::hold(const Vec3& direction, const Features& of, int i, int j, const M
   return exactly ? Hold::exactly : of_edges && b_.facet ? Hold::for_now : Hold::no;
 }
 
-Hold Held::drifts_from(const Vec3& direction, int i, int j, const MovingState& sa,
-                       const MovingState& sb) const {
+Hold HeldPoints::drifts_from(const Vec3& direction, int i, int j, const MovingState& sa,
+                             const MovingState& sb) const {
   const auto is_vertex = [](FeatureId feature) { return kind_of(feature) == FeatureKind::vertex; };
   const auto on_ground = [&](const HeldOnGround& h) {
     if (contactor_of(h.feature) != a_.index || !contains(a_, h.feature, i)) return false;
@@ -131,10 +132,10 @@ Hold Held::drifts_from(const Vec3& direction, int i, int j, const MovingState& s
     if (!(is_vertex(h.feature) && of_facet) && !h.contains(b_.facet->vertex[j])) return false;
     // Two edges have a normal of their own, which only their cross product follows.
     if (!is_vertex(h.feature) && !is_vertex(h.against) && of_facet) return false;
-    return agrees(direction, place_of(a_, h.feature, sa), {kind_of(h.against), h.place, h.along, h.normal});
+    return agrees(direction, place_of(a_, h.feature, sa), {kind_of(h.against), h.place, h.along, h.upward});
   };
   const auto on_body = [&](const HeldContact& h) {
-    if (contactor_of(h.feature) != a_.index || contactor_of(h.against) != b_.index) return false;
+    if (!is_of_pair(h)) return false;
     const bool end_of_a = a_.shape.faces.empty() && h.feature == a_.id(FeatureKind::vertex, i);
     const bool end_of_b = b_.shape.faces.empty() && h.against == b_.id(FeatureKind::vertex, j);
     const bool is_vertex_of_both = (is_vertex(h.feature) || is_vertex(h.against)) &&
@@ -142,14 +143,14 @@ Hold Held::drifts_from(const Vec3& direction, int i, int j, const MovingState& s
     return (end_of_a || end_of_b || is_vertex_of_both) &&
            agrees(direction, place_of(a_, h.feature, sa), place_of(b_, h.against, sb));
   };
-  const bool is_held = b_.facet ? std::any_of(b_.held.begin(), b_.held.end(), on_ground)
-                                : std::any_of(search_.held.begin(), search_.held.end(), on_body);
+  const bool is_held = b_.facet ? std::any_of(b_.held_on_ground.begin(), b_.held_on_ground.end(), on_ground)
+                                : std::any_of(search_.held.list.begin(), search_.held.list.end(), on_body);
   return is_held ? Hold::for_now : Hold::no;
 }
 
-bool Held::is_on_ground(int face) const {
+bool HeldPoints::is_on_ground(int face) const {
   const FeatureId feature = a_.id(FeatureKind::face, face);
-  return std::any_of(b_.held.begin(), b_.held.end(),
+  return std::any_of(b_.held_on_ground.begin(), b_.held_on_ground.end(),
                      [&](const HeldOnGround& h) { return h.feature == feature; });
 }
 
@@ -180,14 +181,14 @@ void HeldPieces::add_piece(int piece) {
 }
 
 HeldPair::HeldPair(const Moving3& a, const Moving3& b, const TouchSearch& search)
-    : a_(a), b_(b), search_(search), of_a_(a.shape), of_b_(b.shape), are_solved_(search.held_are_solved) {
+    : a_(a), b_(b), search_(search), of_a_(a.shape), of_b_(b.shape) {
   if (!b.facet)
-    for (const HeldContact& h : search.held)
-      if (contactor_of(h.feature) == a.index && contactor_of(h.against) == b.index) {
+    for (const HeldContact& h : search.held.list)
+      if (is_of_pair(h)) {
         of_b_.add(feature_of(h.against));
         add(h);
       }
-  for (const HeldOnGround& h : b.held) {
+  for (const HeldOnGround& h : b.held_on_ground) {
     if (contactor_of(h.feature) != a.index) continue;
     const bool in_plane = is_in_plane(h, *b.facet, search.size);
     bool of_facet = in_plane;
@@ -201,26 +202,74 @@ HeldPair::HeldPair(const Moving3& a, const Moving3& b, const TouchSearch& search
   }
 }
 
-template <class Contact>
-void HeldPair::add(const Contact& contact) {
+void HeldPair::add(const HeldContact& contact) {
   of_a_.add(feature_of(contact.feature));
-  are_solved_ = are_solved_ && !contact.opened;
+  opened_ = opened_ || contact.opened;
   yields_ = yields_ || contact.yields;
   any_ = true;
 }
 
-bool HeldPair::has_face_of_a(int face) const {
-  const FeatureId feature = feature_id(a_.index, FeatureKind::face, face);
-  const auto is_of = [&](const auto& h) { return h.feature == feature; };
-  return b_.facet ? std::any_of(b_.held.begin(), b_.held.end(), is_of)
-                  : std::any_of(search_.held.begin(), search_.held.end(), is_of);
+bool HeldPair::has(const Face& face) const {
+  if (face.of_b && b_.facet) return in_plane_;
+  const FeatureId feature = feature_id(face.of_b ? b_.index : a_.index, FeatureKind::face, face.index);
+  if (b_.facet)
+    return std::any_of(b_.held_on_ground.begin(), b_.held_on_ground.end(),
+                       [&](const HeldOnGround& h) { return h.feature == feature; });
+  return std::any_of(search_.held.list.begin(), search_.held.list.end(), [&](const HeldContact& h) {
+    return is_of_pair(h) && (face.of_b ? h.against : h.feature) == feature;
+  });
 }
 
-bool HeldPair::has_face_of_b(int face) const {
-  if (b_.facet) return in_plane_;
-  const FeatureId feature = feature_id(b_.index, FeatureKind::face, face);
-  return std::any_of(search_.held.begin(), search_.held.end(),
-                     [&](const HeldContact& h) { return h.against == feature; });
+Hold HeldPair::hold(const Vec3& direction, const Face& of, const Vec3& nearest, bool touches) const {
+  const bool is_of_face = of.index >= 0;
+  if (!any_ || (is_of_face && !has(of))) return Hold::no;
+  const bool in_plane_of_b = b_.facet && of.of_b && of.index == 0;
+  const bool is_along = (touches || in_plane_) && direction.dot(nearest) > same_direction;
+  if (!in_plane_of_b && !is_along) return Hold::no;
+  return is_of_face ? Hold::exactly : Hold::for_now;
+}
+
+Counts HeldPair::counts(double t) const {
+  return HeldContacts{{}, search_.held.are_solved && !opened_}.counts(Hold::exactly, t);
+}
+
+std::span<const HeldOnGround> held_on(Workspace& work, const Ground3& ground, const HeldContacts& held) {
+  std::vector<HeldOnGround>& found = work.held_on_ground;
+  found.clear();
+  for (const HeldContact& contact : held.list) {
+    HeldOnGround& on = found.emplace_back(HeldOnGround{contact, {}, 1});
+    if (kind_of(contact.against) == FeatureKind::vertex) {
+      on.vertex[0] = ground_index(contact.against);
+      on.place = ground.vertex(on.vertex[0]);
+      continue;
+    }
+    const Facet facet = ground.facet(ground.facet_of(contact.against));
+    const int rim = static_cast<int>(ground_index(contact.against) % 3);
+    on.vertex = facet.vertex;
+    on.vertices = 3;
+    on.upward = facet.normal;
+    on.place = facet.corner[0];
+    if (kind_of(contact.against) != FeatureKind::edge) continue;
+    on.vertex = {facet.vertex[rim], facet.vertex[Facet::next(rim)]};
+    on.vertices = 2;
+    on.place = facet.corner[rim];
+    on.along = facet.along(rim);
+  }
+  return found;
+}
+
+TouchSearch without_opened(Workspace& work, const Moving3& c, const Ground3& ground,
+                           const TouchSearch& search) {
+  constexpr double opened_share = 1e-4;  // of the size
+  work.still_held.clear();
+  const Placed3 start{c.shape, {c.motion.x, c.motion.turn(0).rotation}};
+  for (const HeldContact& h : search.held.list)
+    if (contactor_of(h.feature) != c.index ||
+        feature_gap<3>(work, start, h.feature, ground, h.against, h.normal) <= opened_share * search.size)
+      work.still_held.push_back(h);
+  TouchSearch closed = search;
+  closed.held.list = work.still_held;
+  return closed;
 }
 
 }  // namespace flyrock

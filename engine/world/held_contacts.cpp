@@ -1,0 +1,171 @@
+// Which contacts a step holds, and what the search for touches knows of them (collision/held.h).
+
+#include <algorithm>
+
+#include "collision/pairs.h"
+#include "collision/safe_time.h"
+#include "world/manifold.h"
+#include "world/world.h"
+
+namespace flyrock {
+
+namespace {
+
+// Of the size: a contact that the last impact opened, and that is nearer, would be found as a touch at once.
+constexpr double apart_share = 1e-8;
+
+/// Whether a contactor is a point at the centre of mass.
+template <class Contactor>
+bool is_point(const Contactor& shape) {
+  return shape.form == Form::ball && shape.radius == 0 && shape.points[0].isZero();
+}
+
+/// A contact as a search knows it.
+template <int D>
+HeldContact held_contact(const WorldContact<D>& c, bool opened = false) {
+  HeldContact held{c.at.feature, c.at.against, opened, c.law.condition == NormalCondition::penalty};
+  if constexpr (D == 3) held.normal = c.at.normal;
+  return held;
+}
+
+/// Whether a list has a contact with the same features of the same bodies.
+template <class Contact>
+bool has_same(const std::vector<Contact>& list, const Contact& c) {
+  return std::any_of(list.begin(), list.end(), [&](const Contact& other) {
+    return other.candidate == c.candidate && other.antagonist == c.antagonist &&
+           other.at.feature == c.at.feature && other.at.against == c.at.against;
+  });
+}
+
+}  // namespace
+
+/// Keeps the contacts, detected in the middle of a step, whose features were closed at its start. A contact
+/// that closed since then is a touch at which the step must be cut. A contact whose features have changed,
+/// but not its position, was closed. A new feature pair that starts deeper than one step can push it was not
+/// touching before, unless a search at the start finds the depth, too: drop it. A contact that is carried on
+/// by its neighbour, as a vertex that slides from one side of a valley to the other, touches where it closes
+/// by more than drift would. Springs are left out of the share, because they penetrate by design.
+template <int D>
+typename World<D>::Drift World<D>::keep_closed_at_start(double h) {
+  Drift drift;
+  std::erase_if(contacts_, [&](const Contact& c) {
+    const double reach = carry_reach(c.candidate, c.antagonist);
+    const double closed_alone = 1e-12 + 1e-9 * contact_size(c.candidate, c.antagonist);
+    const double gap = gap_at(c, true);
+    // One that the last impact opened may close again at once; the search for touches takes it for closed.
+    const bool is_near = gap > closed_alone && gap <= apart_share * contact_size(c.candidate, c.antagonist);
+    const double closed = c.carried || (is_near && has_same(last_, c)) ? reach : closed_alone;
+    const double may_drift = 3 * reach;
+    if (c.at.gap > reach || gap > closed || (!c.carried && gap < -may_drift && !is_deep(c, gap, true)))
+      return true;
+    if (c.carried && !has_same(last_, c) && gap - c.at.gap > 3 * reach_within(h, c.candidate, c.antagonist) &&
+        gap > closed_alone)
+      return true;
+    // On the next segment of the terrain, the gap at the start is measured to the line beyond the end of the
+    // segment. The larger of the two gaps is therefore the true one.
+    drift.penetration = std::max(drift.penetration, -std::max(gap, c.at.gap));
+    // A chosen step may be so long that the drift of bodies on others would be seen as overlap.
+    constexpr double most_drift = 5e-5;  // of the size
+    const double size = contact_size(c.candidate, c.antagonist);
+    const double most =
+        chooses_steps() && c.antagonist >= 0 ? std::min(may_drift, most_drift * size) : may_drift;
+    if (c.law.condition != NormalCondition::penalty)
+      drift.share = std::max(drift.share, (std::min(gap, 0.0) - c.at.gap) / most);
+    return false;
+  });
+  return drift;
+}
+
+/// Whether the contactors of a contact lie in each other now, or lay so at the start of the step, about as
+/// deep as the gap of its features says. The features alone may be beside each other.
+template <int D>
+bool World<D>::is_deep(const Contact& c, double gap, bool at_start) {
+  const Placed<D> candidate = placed(c.candidate, c.at.feature, at_start);
+  points_.clear();
+  if (c.antagonist < 0)
+    terrain_contacts<D>(work_, candidate, *terrain_, 0, 0, points_);
+  else
+    body_contacts(work_, candidate, placed(c.antagonist, c.at.against, at_start), 0, points_);
+  return std::any_of(points_.begin(), points_.end(), [&](const ContactPoint<D>& p) {
+    return p.gap < 0.5 * gap && same_direction<D>(p.normal, c.at.normal);
+  });
+}
+
+/// Whether one of the contactors of a contact has circles.
+template <int D>
+bool World<D>::has_rims(const Contact& c) const {
+  if constexpr (D == 3)
+    return !bodies[c.candidate].contactor_with(c.at.feature).circles.empty() ||
+           (c.antagonist >= 0 && !bodies[c.antagonist].contactor_with(c.at.against).circles.empty());
+  return false;
+}
+
+/// Those that have just opened.
+template <int D>
+HeldContacts World<D>::held_in_flight(int body, int other) {
+  held_.clear();
+  for (const auto* list : {&contacts_, &last_})
+    for (const Contact& c : *list)
+      if (c.candidate == body && c.antagonist == other) held_.push_back(held_contact(c));
+  return {held_, false};
+}
+
+/// Those of a step that began at starts_: without the contacts that the last impact opened and that the
+/// step does not hold. They may touch again within the step, while others hold the body. One that opens from
+/// a gap of zero counts as open from the start, unless it is so deep that a search would stop there: of two
+/// bodies; on the ground, only rims do. A point that leaves one side of a valley along the other side is at
+/// once beside the strip of the side that it leaves.
+template <int D>
+HeldContacts World<D>::held_in_step(int body, int other) {
+  constexpr double opening = 1e-8;  // m/s, above rounding
+  held_.clear();
+  for (const Contact& c : contacts_)
+    if (c.candidate == body && c.antagonist == other) held_.push_back(held_contact(c));
+  const bool holds = !held_.empty();
+  for (std::size_t a = 0; a < last_.size(); ++a) {
+    const Contact& c = last_[a];
+    if (c.candidate != body || c.antagonist != other) continue;
+    if (has_same(contacts_, c)) continue;
+    const double gap = gap_at(c, true), size = contact_size(body, other);
+    const bool opens = !c.carried && last_after_[a][0] > opening;
+    const bool is_apart = gap > apart_share * size;
+    if (opens && other >= 0 && !has_rims(c) && gap >= -GapScale(size).deep) continue;
+    const bool leaves = other < 0 && is_point(bodies[body].contactor_with(c.at.feature)) &&
+                        starts_[body].v.dot(c.at.normal) > opening;
+    if (!is_apart && !leaves) held_.push_back(held_contact(c, opens && !holds));
+  }
+  return {held_, true};
+}
+
+/// When the first contact of the last step that this one does not solve has closed again [s]: it opened,
+/// other contacts have turned its body back, and the search for touches may have passed over it. Its gap is
+/// taken for a parabola. Of rims, whose features change all the time, the search bounds how deep they sink.
+template <int D>
+std::optional<double> World<D>::first_return(double h) {
+  constexpr double sunk = 2e-5, soon = 1e-3;  // of the size; of the step
+  std::optional<double> first;
+  for (std::size_t a = 0; a < last_.size(); ++a) {
+    const Contact& c = last_[a];
+    if (c.law.condition == NormalCondition::penalty || has_rims(c) || has_same(contacts_, c)) continue;
+    const double end = gap_at(c, false);
+    if (end > -sunk * contact_size(c.candidate, c.antagonist) || !is_deep(c, end, false)) continue;
+    const double start = std::max(gap_at(c, true), 0.0);
+    const double opens = h * std::max(last_after_[a][0], 0.0);
+    const double returns = h * std::max(soon, (start + opens) / (start + opens - end));
+    if (!first || returns < *first) first = returns;
+  }
+  return first;
+}
+
+#define FLYROCK_INSTANTIATE(D)                                     \
+  template World<D>::Drift World<D>::keep_closed_at_start(double); \
+  template bool World<D>::has_rims(const Contact&) const;          \
+  template bool World<D>::is_deep(const Contact&, double, bool);   \
+  template std::optional<double> World<D>::first_return(double);   \
+  template HeldContacts World<D>::held_in_flight(int, int);        \
+  template HeldContacts World<D>::held_in_step(int, int)
+FLYROCK_INSTANTIATE(2);
+FLYROCK_INSTANTIATE(3);
+#undef FLYROCK_INSTANTIATE
+
+}  // namespace flyrock
