@@ -1,16 +1,22 @@
 #pragma once
 // Which contacts hold two contactors apart when a search for their time of impact begins, and what follows
-// for the search. This is the only place that answers it:
+// for the search.
 //
-//   who fills the list   World::held_in_flight and World::held_in_step (world/held_contacts.cpp); on the
-//                        ground of a 3D run, held_on (held_3d.h) adds where its features are
-//   who asks             every search: two features by HeldContacts::hold; two points of cores along a
-//                        direction by HeldPoints::hold, pieces of contactors with circles by HeldPair::hold
-//                        (both in held_3d.h)
-//   what it answers      Hold: no, for now, exactly
-//   what follows         Counts: see there; docs/numerics.md, "The length of a step", says why
+// World::held_in_flight and World::held_in_step (world/held_contacts.cpp) fill the list. In flight, what it
+// has counts from zero at the start. In a step the solver holds it:
 //
-// Massless points have a rule of their own: flight/face.h.
+//   search                        asks                                    in a step, what is held
+//   plane/, balls, clouds         HeldContacts::counts, two features      never counts
+//   pills and polyhedra, of       HeldPoints::hold, two points along      never counts; along a normal that
+//     core_search                   a direction                             drifts, 1e-3 rad long (pills), or
+//     it
+//                                                                           may sink by 5e-5 (edges on edges)
+//   circles                       HeldPair::hold, two sets of pieces      may sink by 1e-5
+//   hollow walls                  2D as plane/, 3D HeldPair::counts       never counts; a rim, 60 degrees
+//   away
+//
+// Sinking is in shares of the size; docs/numerics.md, "The length of a step", says why. Lumped masses have a
+// rule of their own: flight/face.h.
 
 #include <span>
 
@@ -24,16 +30,16 @@ namespace flyrock {
 enum class Hold { no, for_now, exactly };
 
 /// How a gap counts in a search. In a step the solver keeps what is held apart, and the search passes over
-/// it: `never`. In flight what is held has just opened: at the start it counts `from_zero`, so that rounding
-/// is no touch, and later `fully`, as what is not held always does.
+/// it: `never`. In flight what is held has opened: at the start it counts `from_zero`, so that rounding is no
+/// touch, and later `fully`, as what is not held always does.
 enum class Counts { fully, from_zero, never };
 
 /// A contact that exists when the search begins, by its feature ids.
 struct HeldContact {
   FeatureId feature = 0;
   FeatureId against = 0;
-  /// In a step: the last impact opened it, and the step holds no contact of the pair. Where there are rims,
-  /// the pair then counts as in flight.
+  /// In a step: the last impact or step opened it, and this step holds no contact of the pair. HeldPair then
+  /// counts as in flight.
   bool opened = false;
   bool yields = false;         ///< a spring: its bodies sink into each other
   Vec3 normal = Vec3::Zero();  ///< in 3D, from the antagonist; zero where it is not known

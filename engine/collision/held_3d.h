@@ -12,8 +12,8 @@ namespace flyrock {
 /// The contacts with the ground that exist at the start of a search. Valid until the next call.
 std::span<const HeldOnGround> held_on(Workspace& work, const Ground3& ground, const HeldContacts& held);
 
-/// A search without the contacts of a pill or a cylinder that have opened: it may leave an edge and come back
-/// to it elsewhere, which is a new touch. Valid until the next call.
+/// A search without the contacts of a pill or a contactor with circles that are no longer near: it may leave
+/// an edge and come back to it elsewhere, which is a new touch. Valid until the next call.
 TouchSearch without_opened(Workspace& work, const Moving3& c, const Ground3& ground,
                            const TouchSearch& search);
 
@@ -29,8 +29,6 @@ class HeldPoints {
     std::optional<FeatureId> of_a, of_b;
   };
 
-  /// A ball has only one contact with a convex contactor, and so has the end of a pill: the feature there
-  /// does not matter.
   HeldPoints(const Moving3& a, const Moving3& b, CoreSearch by, const TouchSearch& search)
       : a_(a), b_(b), by_(by), search_(search) {}
 
@@ -105,8 +103,8 @@ class HeldPieces {
   boost::container::small_vector<Piece, 8> pieces_;
 };
 
-/// What holds two contactors of which one has circles, as a whole: contacts of the two bodies, or of a with
-/// the feature of the ground that b belongs to.
+/// What holds two contactors of which one has circles or is hollow, as a whole: contacts of the two bodies,
+/// or of a with the feature of the ground that b belongs to.
 class HeldPair {
  public:
   HeldPair(const Moving3& a, const Moving3& b, const TouchSearch& search);

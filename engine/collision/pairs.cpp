@@ -82,7 +82,8 @@ constexpr PairRules<3> mesh_with{mirrored_contacts<3, outline_contacts<3>>, mirr
 template <int D>
 constexpr PairRules<D> apart;
 
-// What meets what. The row is the form of the first, the column that of the second.
+// What meets what: the row is the form of the first, the column that of the second (geometry/form.h;
+// cylinders and cones are smooth).
 // clang-format off
 constexpr PairRules<2> pairs_2d[form_count<2>][form_count<2>] = {
   //             ball       pill       hull       hollow    outline

@@ -52,9 +52,9 @@ void body_contacts(Workspace& work, const Placed<D>& candidate, const Placed<D>&
                    Contacts<D>& out, double turn = 0);
 
 /// The gap [m] between two known features, by the feature ids of a contact: of a contactor and the ground, or
-/// another contactor. There is no contact search, but where a rim crosses an edge or another rim their places
-/// are found anew (plane/gaps_2d, hull/core_gap, smooth/smooth_gap, hollow/hollow_wall, outline/outline).
-/// `normal`: about that of the contact, from which the search for the places of rims begins.
+/// another contactor: the FindGap rules of rules.h. There is no contact search, but of contactors with
+/// circles that have come apart, or cross, the places are found anew. `normal`: about that of the contact,
+/// from which this begins.
 template <int D>
 double feature_gap(Workspace& work, const Placed<D>& contactor, FeatureId feature, const GroundIn<D>& ground,
                    FeatureId against, const Vec<D>& normal = Vec<D>::Zero());

@@ -37,14 +37,14 @@ using FindPart = TouchingPart<D>(const Placed<D>& shape, FeatureId feature, cons
 // Balls, pills and hulls in 2D. The ball of core_contacts is the first.
 FindContacts<2> ball_contacts, core_contacts, hull_contacts;  // plane/contacts_2d
 FindGap<2> core_gap;                                          // plane/gaps_2d
-FindTouch<2> ball_touch, hull_touch;                          // plane/first_touch_2d, advancement_2d
+FindTouch<2> ball_touch, hull_touch;                          // plane/first_touch_2d
 FindOnGround<2> hull_on_ground;                               // plane/ground_contacts_2d
 FindGapToGround<2> hull_gap_to_ground;                        // plane/gaps_2d
 FindTouchOfGround<2> hull_touch_of_ground;                    // plane/first_touch_2d
 FindPart<2> hull_part;                                        // contact_motion
 
-// Balls, pills and polyhedra in 3D. The core of core_contacts, a ball or a pill, is the first; of two, the
-// pill.
+// Balls, pills and polyhedra in 3D: cores of points, grown by a radius. Of core_contacts, a ball or a pill is
+// the first; of two, the pill.
 FindContacts<3> ball_contacts;              // ball/ball
 FindContacts<3> core_contacts;              // pill/core_contact
 FindContacts<3> hull_contacts;              // hull/hull_contact
@@ -55,7 +55,8 @@ FindOnGround<3> hull_on_ground;             // hull/hull_on_ground
 FindGapToGround<3> core_gap_to_ground;      // hull/core_gap
 FindTouchOfGround<3> ball_touch_of_ground;  // ball/ball
 FindPart<3> core_part;                      // contact_motion
-/// hull/core_search; of the ground, ground/first_touch.
+/// hull/core_search; of the ground, ground/first_touch asks ground/facet_touch facet by facet, and this
+/// core_search.
 template <CoreSearch by>
 std::optional<double> core_touch(Workspace&, const Moving3& a, const Moving3& b, double t_max,
                                  const TouchSearch&);
@@ -69,11 +70,11 @@ FindGap<3> smooth_gap;                        // smooth/smooth_gap
 FindTouch<3> smooth_touch;                    // smooth/circle_search
 FindOnGround<3> smooth_on_ground;             // smooth/smooth_on_ground
 FindGapToGround<3> smooth_gap_to_ground;      // smooth/smooth_gap
-FindTouchOfGround<3> smooth_touch_of_ground;  // ground/first_touch, smooth/circle_search
+FindTouchOfGround<3> smooth_touch_of_ground;  // ground/first_touch, facet_touch
 FindPart<3> smooth_part;                      // contact_motion
 
-/// An edge or a vertex of the ground as a contactor. The first is a segment without a radius, with the
-/// vertices 0, 1 and the edge 0; valid until the next call.
+/// An edge or a vertex of the ground as a contactor (smooth/smooth_gap). The first is a segment without a
+/// radius, with the vertices 0, 1 and the edge 0; valid until the next call.
 Placed3 edge_piece(Workspace& work, const Facet& facet, int rim);
 Placed3 vertex_piece(const Vec3& at);
 

@@ -16,7 +16,8 @@ namespace flyrock {
 struct TouchSearch {
   HeldContacts held;
   double slack = 0;  ///< m, in a step: a penetration below it is no new touch
-  double size = 1;   ///< m, of the body; the time of impact is exact up to a gap of 1e-12 of it
+  double size =
+      1;  ///< m, of the smaller body that moves; the time of impact is exact up to a gap of 1e-12 of it
   std::uint64_t* iterations = nullptr;
 
   /// The gap at the start for a distance polynomial [m]. A contact that has just opened counts from 0,
@@ -76,8 +77,8 @@ struct Moving<3> {
   const Contactor3& shape;
   const Motion3& motion;
   int index = 0;
-  const Facet* facet = nullptr;  ///< for a facet of the ground at rest, as a flat polyhedron
-  std::span<const HeldOnGround> held_on_ground{};  ///< for a facet: the contacts of the other contactor
+  const Facet* facet = nullptr;  ///< for a facet of the ground at rest, as a flat polyhedron or a place
+  std::span<const HeldOnGround> held_on_ground{};  ///< for a facet: the contacts of the other body
 
   /// The id of a feature. A facet has its own; its back has none.
   FeatureId id(FeatureKind kind, int i) const;

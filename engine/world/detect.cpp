@@ -219,7 +219,8 @@ Placed<D> World<D>::placed(int body, FeatureId feature, bool at_start) const {
   return {contactor, {start.x, start.attitude.rotation}, index};
 }
 
-/// The gap between the features of a contact, now or at the start of the step [m].
+/// The gap between the features of a contact, now or at the start of the step [m]. What a held contact drifts
+/// is this at the start, less the gap that is found in the middle.
 template <int D>
 double World<D>::gap_at(const Contact& c, bool at_start) const {
   // What the radii have changed of it since the start

@@ -100,7 +100,7 @@ bool World<D>::has_rims(const Contact& c) const {
   return false;
 }
 
-/// Those that have just opened.
+/// Those of the last step or impact, which have opened.
 template <int D>
 HeldContacts World<D>::held_in_flight(int body, int other) {
   held_.clear();
