@@ -26,6 +26,16 @@ double Faults<D>::energy_of(int i) const {
   return body.breathes() ? rigid + body.breathing.potential_energy() : rigid;
 }
 
+/// Whether a body whose centre of mass, at `place`, may be outside of it, has a point above the ground.
+template <int D>
+bool Faults<D>::straddles(const Body<D>& body, const Vec<D>& place) const {
+  if (body.contactors.size() == 1 && body.contactors[0].form != Form::cloud) return false;
+  for (const auto& contactor : body.contactors)
+    for (const Vec<D>& point : contactor.points)
+      if (!(depth_below_ground(world_.terrain(), place + body.pose().r * point) > 0)) return true;
+  return false;
+}
+
 template <int D>
 std::optional<std::string> Faults<D>::below_ground(int i, const Vec<D>& place) const {
   const Body<D>& body = world_.bodies[i];
@@ -34,6 +44,7 @@ std::optional<std::string> Faults<D>::below_ground(int i, const Vec<D>& place) c
   double usual = world_.carry_reach(i, -1) + world_.touch(i);
   if (!exact_flight_) usual += body.size + body.v.norm() * world_.settings().time_step;
   if (depth <= usual || is_near_surface(world_.terrain(), place, usual)) return std::nullopt;
+  if (straddles(body, place)) return std::nullopt;
   return fmt::format("its centre of mass lies {:.2g} m below the ground", depth);
 }
 

@@ -47,6 +47,23 @@ TEST_CASE("a body below the ground has diverged") {
       bench3, material, sphere(0.1, 1, {0, 0, 1}), [](Body<3>& b) { b.x.z() -= 0.5; }, "below the ground");
 }
 
+TEST_CASE("a compound that straddles a peak is not below the ground, until all of it is") {
+  Material material(0.5, 0.5);
+  const Profile peak{
+      .points = {{-9, 0}, {-0.3, 0}, {0, 2}, {0.3, 0}, {9, 0}}, .part = {0, 0, 0, 0}, .parts = {""}};
+  const Contactor2 right = Contactor2::wall({0.7, 0}, {0.71, 0}, 0.1),
+                   left = Contactor2::wall({-0.71, 0}, {-0.7, 0}, 0.1);
+  Body<2> dumbbell = make_body({left, right}, 0, 1, 0);
+  dumbbell.x = {0, 0.6};
+  Bench bench(peak, material);
+  bench.add(dumbbell);
+  CHECK(bench.run(5).reason == StopReason::stopped);
+  Material other(0.5, 0.5);
+  Bench below(peak, other);
+  tamper<Bench, Body<2>>(
+      below, other, dumbbell, [](Body<2>& b) { b.x.y() = -0.5; }, "below the ground");
+}
+
 TEST_CASE(
     "a body below the ground has diverged also where its path ends at a barrier or leaves the terrain") {
   Material material(0.5, 0.5);
