@@ -48,12 +48,6 @@ std::optional<PluginUse> decode_use(const Registry& registry, const PluginSpec& 
   return use;
 }
 
-bool is_law(const Plugin* plugin) {
-  const PluginKind kind = plugin->spec.kind;
-  return kind == PluginKind::restitution || kind == PluginKind::friction || kind == PluginKind::rolling ||
-         kind == PluginKind::unilateral;
-}
-
 /// KIND/NAME, or the law of a file. If the file has faults, prints them and returns null.
 const PluginSpec* law_named(LuaSession& session, const std::string& word) {
   if (!names_plugin_file(word)) {
@@ -63,7 +57,7 @@ const PluginSpec* law_named(LuaSession& session, const std::string& word) {
   }
   auto plugins = load_plugin_file(session, word);
   if (!plugins) return nullptr;
-  std::erase_if(*plugins, [](const Plugin* plugin) { return !is_law(plugin); });
+  std::erase_if(*plugins, [](const Plugin* plugin) { return !is_law(plugin->spec.kind); });
   if (plugins->size() != 1)
     throw UsageError(fmt::format("{} registers {} contact laws, expected one", word,
                                  plugins->empty() ? "no" : fmt::format("{}", plugins->size())));

@@ -24,6 +24,11 @@ std::optional<PluginKind> plugin_kind(std::string_view name) {
   return std::nullopt;
 }
 
+bool is_law(PluginKind kind) {
+  return kind == PluginKind::restitution || kind == PluginKind::friction || kind == PluginKind::rolling ||
+         kind == PluginKind::unilateral;
+}
+
 std::string_view name_of(ParamType type) { return type_names[static_cast<std::size_t>(type)]; }
 
 std::optional<ParamType> param_type(std::string_view name) {

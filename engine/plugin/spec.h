@@ -15,6 +15,8 @@ namespace flyrock {
 enum class PluginKind { shape, population, restitution, friction, rolling, unilateral, velocity, terrain };
 inline constexpr int plugin_kinds = 8;
 std::string_view name_of(PluginKind kind);
+/// Whether it is one of the four kinds of contact laws.
+bool is_law(PluginKind kind);
 std::optional<PluginKind> plugin_kind(std::string_view name);
 
 enum class ParamType {

@@ -1,5 +1,5 @@
 #pragma once
-// The factories of pure Lua plugins, one for each kind.
+// The factories of pure Lua plugins.
 
 #include <memory>
 
@@ -16,13 +16,7 @@ Factory adapter_factory(std::shared_ptr<const LuaPlugin> plugin) {
   });
 }
 
-Factory restitution_factory(std::shared_ptr<const LuaPlugin> plugin);
-Factory friction_factory(std::shared_ptr<const LuaPlugin> plugin);
-Factory rolling_factory(std::shared_ptr<const LuaPlugin> plugin);
-Factory unilateral_factory(std::shared_ptr<const LuaPlugin> plugin);
-Factory shape_factory(std::shared_ptr<const LuaPlugin> plugin);
-Factory terrain_factory(std::shared_ptr<const LuaPlugin> plugin);
-Factory population_factory(std::shared_ptr<const LuaPlugin> plugin);
-Factory velocity_factory(std::shared_ptr<const LuaPlugin> plugin);
+Factory law_factory(std::shared_ptr<const LuaPlugin> plugin);    ///< of the four kinds of contact laws
+Factory model_factory(std::shared_ptr<const LuaPlugin> plugin);  ///< of the other kinds
 
 }  // namespace flyrock

@@ -22,25 +22,7 @@ Factory lua_factory(std::shared_ptr<LuaState> state, lua_State* lua, const Plugi
   plugin->origin = in_lua ? fmt::format("{}, {}:{}", spec.name, info.source + 1, info.linedefined)
                           : fmt::format("{}, {}", spec.name, spec.file);
   plugin->only_parameters = info.nparams <= 1 && !info.isvararg;
-  switch (spec.kind) {
-    case PluginKind::shape:
-      return shape_factory(plugin);
-    case PluginKind::population:
-      return population_factory(plugin);
-    case PluginKind::restitution:
-      return restitution_factory(plugin);
-    case PluginKind::friction:
-      return friction_factory(plugin);
-    case PluginKind::rolling:
-      return rolling_factory(plugin);
-    case PluginKind::unilateral:
-      return unilateral_factory(plugin);
-    case PluginKind::velocity:
-      return velocity_factory(plugin);
-    case PluginKind::terrain:
-      return terrain_factory(plugin);
-  }
-  throw std::logic_error("a plugin kind without an adapter");
+  return is_law(spec.kind) ? law_factory(plugin) : model_factory(plugin);
 }
 
 }  // namespace flyrock

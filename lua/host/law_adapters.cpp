@@ -119,17 +119,17 @@ class LuaUnilateral : public LuaLaw<UnilateralLaw> {
 
 }  // namespace
 
-Factory restitution_factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return adapter_factory<RestitutionLaw, LuaRestitution>(std::move(plugin));
-}
-Factory friction_factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return adapter_factory<FrictionLaw, LuaFriction>(std::move(plugin));
-}
-Factory rolling_factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return adapter_factory<RollingLaw, LuaRolling>(std::move(plugin));
-}
-Factory unilateral_factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return adapter_factory<UnilateralLaw, LuaUnilateral>(std::move(plugin));
+Factory law_factory(std::shared_ptr<const LuaPlugin> plugin) {
+  switch (plugin->spec.kind) {
+    case PluginKind::restitution:
+      return adapter_factory<RestitutionLaw, LuaRestitution>(std::move(plugin));
+    case PluginKind::friction:
+      return adapter_factory<FrictionLaw, LuaFriction>(std::move(plugin));
+    case PluginKind::rolling:
+      return adapter_factory<RollingLaw, LuaRolling>(std::move(plugin));
+    default:
+      return adapter_factory<UnilateralLaw, LuaUnilateral>(std::move(plugin));
+  }
 }
 
 }  // namespace flyrock

@@ -199,9 +199,7 @@ class ManifestReader {
   void read_history() {
     spec_.history = table_.texts("history").value_or(std::vector<std::string>{});
     const auto owner = table_.text("history_of");
-    const bool law = spec_.kind == PluginKind::restitution || spec_.kind == PluginKind::friction ||
-                     spec_.kind == PluginKind::rolling || spec_.kind == PluginKind::unilateral;
-    if (!spec_.history.empty() && !law)
+    if (!spec_.history.empty() && !is_law(spec_.kind))
       table_.error("history",
                    fmt::format("a {} has no history: only laws of contacts have", name_of(spec_.kind)));
     if (spec_.history.size() > most_history)

@@ -27,40 +27,42 @@ Value ask(const LuaCall& call, Values values, std::initializer_list<const void*>
   return answer;
 }
 
-class LuaShape : public ShapeModel {
+/// The common part of all models; `Kind` is the interface of one, `views` the arguments of its function.
+template <class Kind, auto views>
+class LuaModel : public Kind {
  public:
-  LuaShape(std::shared_ptr<const LuaPlugin> plugin, Params& params)
-      : call_(std::move(plugin), params, random_only, Budget::call_limit) {}
+  LuaModel(std::shared_ptr<const LuaPlugin> plugin, Params& params)
+      : call_(std::move(plugin), params, views, Budget::call_limit) {}
+
+ protected:
+  LuaCall call_;
+};
+
+class LuaShape : public LuaModel<ShapeModel, random_only> {
+ public:
+  using LuaModel::LuaModel;
   ShapeAnswer<2> shape(Values values, RandomStream& rng) const override {
     return read_shape<2>(call_, ask(call_, values, {&rng}));
   }
   ShapeAnswer<3> shape_3d(Values values, RandomStream& rng) const override {
     return read_shape<3>(call_, ask(call_, values, {&rng}));
   }
-
- private:
-  LuaCall call_;
 };
 
-class LuaTerrain : public TerrainModel {
+class LuaTerrain : public LuaModel<TerrainModel, random_only> {
  public:
-  LuaTerrain(std::shared_ptr<const LuaPlugin> plugin, Params& params)
-      : call_(std::move(plugin), params, random_only, Budget::call_limit) {}
+  using LuaModel::LuaModel;
   Profile build(Values values, RandomStream& rng) const override {
     return read_terrain(call_, ask(call_, values, {&rng}));
   }
   TerrainShape3 build_3d(Values values, RandomStream& rng) const override {
     return read_terrain_3d(call_, ask(call_, values, {&rng}));
   }
-
- private:
-  LuaCall call_;
 };
 
-class LuaPopulation : public Population {
+class LuaPopulation : public LuaModel<Population, terrain_blast_random> {
  public:
-  LuaPopulation(std::shared_ptr<const LuaPlugin> plugin, Params& params)
-      : call_(std::move(plugin), params, terrain_blast_random, Budget::call_limit) {}
+  using LuaModel::LuaModel;
   std::vector<RockPlan<2>> rocks(Values values, const TerrainView& terrain, const Blast& blast,
                                  RandomStream& rng) const override {
     return read_rocks<2>(call_, ask(call_, values, {&terrain, &blast, &rng}));
@@ -69,36 +71,29 @@ class LuaPopulation : public Population {
                                     RandomStream& rng) const override {
     return read_rocks<3>(call_, ask(call_, values, {&terrain, &blast, &rng}));
   }
-
- private:
-  LuaCall call_;
 };
 
-class LuaVelocity : public VelocityModel {
+class LuaVelocity : public LuaModel<VelocityModel, rock_blast_random_terrain> {
  public:
-  LuaVelocity(std::shared_ptr<const LuaPlugin> plugin, Params& params)
-      : call_(std::move(plugin), params, rock_blast_random_terrain, Budget::call_limit) {}
+  using LuaModel::LuaModel;
   Launch launch(Values values, const RockView& rock, const Blast& blast, RandomStream& rng) const override {
     return read_launch(call_, ask(call_, values, {&rock, &blast, &rng, rock.terrain}), rock.dimension);
   }
-
- private:
-  LuaCall call_;
 };
 
 }  // namespace
 
-Factory shape_factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return adapter_factory<ShapeModel, LuaShape>(std::move(plugin));
-}
-Factory terrain_factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return adapter_factory<TerrainModel, LuaTerrain>(std::move(plugin));
-}
-Factory population_factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return adapter_factory<Population, LuaPopulation>(std::move(plugin));
-}
-Factory velocity_factory(std::shared_ptr<const LuaPlugin> plugin) {
-  return adapter_factory<VelocityModel, LuaVelocity>(std::move(plugin));
+Factory model_factory(std::shared_ptr<const LuaPlugin> plugin) {
+  switch (plugin->spec.kind) {
+    case PluginKind::shape:
+      return adapter_factory<ShapeModel, LuaShape>(std::move(plugin));
+    case PluginKind::terrain:
+      return adapter_factory<TerrainModel, LuaTerrain>(std::move(plugin));
+    case PluginKind::population:
+      return adapter_factory<Population, LuaPopulation>(std::move(plugin));
+    default:
+      return adapter_factory<VelocityModel, LuaVelocity>(std::move(plugin));
+  }
 }
 
 }  // namespace flyrock
