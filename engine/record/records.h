@@ -49,49 +49,41 @@ struct RockRecord {
 
 bool is_fault(StopReason reason);
 
-/// One drawn number of one rock. `input` is its index in the list of batch/inputs.h.
-struct InputRecord {
+/// What begins a row that belongs to a rock.
+struct OfRock {
   std::uint64_t trial = 0;
   int rock = 0;
+};
+
+/// One drawn number of one rock. `input` is its index in the list of batch/inputs.h.
+struct InputRecord : OfRock {
   int input = 0;
   int impact = 0;  ///< for which it was drawn, as in the rock's impacts; 0: for the rock
   double value = 0;
 };
 
-struct ImpactRecord {
-  std::uint64_t trial = 0;
-  int rock = 0;
+struct ImpactRecord : OfRock {
   Impact impact;
 };
 
-struct TrajectoryRecord {
-  std::uint64_t trial = 0;
-  int rock = 0;
+struct TrajectoryRecord : OfRock {
   TrajectoryPoint point;
 };
 
 /// A corner of the surface of a rock with a stored trajectory.
-struct ShapeRecord {
-  std::uint64_t trial = 0;
-  int rock = 0;
+struct ShapeRecord : OfRock {
   SurfaceCorner corner;
 };
 
-struct GateRecord {
-  std::uint64_t trial = 0;
-  int rock = 0;
+struct GateRecord : OfRock {
   Passage passage;
 };
 
-struct BarrierRecord {
-  std::uint64_t trial = 0;
-  int rock = 0;
+struct BarrierRecord : OfRock {
   BarrierHit hit;
 };
 
-struct TreeRecord {
-  std::uint64_t trial = 0;
-  int rock = 0;
+struct TreeRecord : OfRock {
   TreeHit hit;
 };
 

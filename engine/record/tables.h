@@ -7,8 +7,7 @@
 // visit_<table>(visit) calls visit(column, get) for each column in order. member_of(record, get) is a
 // reference to the value of the column, const for a const record.
 
-#include <string_view>
-#include <type_traits>
+#include <array>
 
 #include "record/member_of.h"
 #include "record/records.h"
@@ -158,19 +157,33 @@ void visit_inputs(Visit&& visit) {
   visit(Column{.name = "value"}, &InputRecord::value);
 }
 
-/// Columns of an Impact. A vector has the components x and y in 2D, and z as well in 3D.
+/// Visits the columns of a member of a record: visit_impact(within(visit, &ImpactRecord::impact)).
+template <class Visit, class Part>
+auto within(Visit& visit, Part part) {
+  return [&visit, part](const Column& column, auto get) {
+    visit(
+        column, [ part, get ](auto& record) -> auto& { return member_of(member_of(record, part), get); });
+  };
+}
+
+/// The columns of a vector, which has the components x and y in 2D, and z as well in 3D.
+template <class Visit, class Get>
+void visit_vector(Visit&& visit, const char* const (&names)[3], const char* unit, Get get,
+                  std::array<bool, 3> in_space = {false, false, true}) {
+  for (std::size_t i = 0; i < 3; ++i)
+    visit(
+        Column{.name = names[i], .unit = unit, .in_space = in_space[i]},
+        [ get, i ](auto& record) -> auto& { return member_of(record, get)[i]; });
+}
+
+/// Columns of an Impact.
 template <class Visit>
 void visit_impact(Visit&& visit) {
   using I = Impact;
   visit(Column{}, &I::body);
   visit(Column{.name = "number"}, &I::number);
   visit(Column{.name = "time_s", .unit = "s"}, &I::time);
-  visit(
-      Column{.name = "x_m", .unit = "m"}, [](auto& i) -> auto& { return i.place[0]; });
-  visit(
-      Column{.name = "y_m", .unit = "m"}, [](auto& i) -> auto& { return i.place[1]; });
-  visit(
-      Column{.name = "z_m", .unit = "m", .in_space = true}, [](auto& i) -> auto& { return i.place[2]; });
+  visit_vector(visit, {"x_m", "y_m", "z_m"}, "m", &I::place);
   visit(Column{.name = "other"}, &I::other);
   visit(Column{.name = "part"}, &I::part);
   visit(Column{.name = "vn_before_m_s", .unit = "m/s"}, &I::vn_before);
@@ -187,38 +200,12 @@ template <class Visit>
 void visit_state(Visit&& visit) {
   using S = BodyState;
   visit(Column{.name = "time_s", .unit = "s"}, &S::time);
-  visit(
-      Column{.name = "x_m", .unit = "m"}, [](auto& s) -> auto& { return s.position[0]; });
-  visit(
-      Column{.name = "y_m", .unit = "m"}, [](auto& s) -> auto& { return s.position[1]; });
-  visit(
-      Column{.name = "z_m", .unit = "m", .in_space = true}, [](auto& s) -> auto& { return s.position[2]; });
-  visit(
-      Column{.name = "vx_m_s", .unit = "m/s"}, [](auto& s) -> auto& { return s.velocity[0]; });
-  visit(
-      Column{.name = "vy_m_s", .unit = "m/s"}, [](auto& s) -> auto& { return s.velocity[1]; });
-  visit(
-      Column{.name = "vz_m_s", .unit = "m/s", .in_space = true},
-      [](auto& s) -> auto& { return s.velocity[2]; });
-  visit(
-      Column{.name = "spin_x_rad_s", .unit = "rad/s", .in_space = true},
-      [](auto& s) -> auto& { return s.spin[0]; });
-  visit(
-      Column{.name = "spin_y_rad_s", .unit = "rad/s", .in_space = true},
-      [](auto& s) -> auto& { return s.spin[1]; });
-  visit(
-      Column{.name = "spin_z_rad_s", .unit = "rad/s"}, [](auto& s) -> auto& { return s.spin[2]; });
+  visit_vector(visit, {"x_m", "y_m", "z_m"}, "m", &S::position);
+  visit_vector(visit, {"vx_m_s", "vy_m_s", "vz_m_s"}, "m/s", &S::velocity);
+  visit_vector(visit, {"spin_x_rad_s", "spin_y_rad_s", "spin_z_rad_s"}, "rad/s", &S::spin,
+               {true, true, false});
   visit(Column{.name = "angle_rad", .unit = "rad"}, &S::angle);
   visit(Column{.name = "kinetic_energy_J", .unit = "J"}, &S::kinetic_energy);
-}
-
-/// Visits the columns of a member of a record: visit_impact(within(visit, &ImpactRecord::impact)).
-template <class Visit, class Part>
-auto within(Visit& visit, Part part) {
-  return [&visit, part](const Column& column, auto get) {
-    visit(
-        column, [ part, get ](auto& record) -> auto& { return member_of(member_of(record, part), get); });
-  };
 }
 
 template <class Visit>
@@ -237,12 +224,11 @@ void visit_turn(Visit&& visit) {
 
 template <class Visit>
 void visit_trajectories(Visit&& visit) {
-  visit_state(within(
-      visit, [](auto& r) -> auto& { return r.point.state; }));
-  visit(
-      Column{.name = "mode"}, [](auto& r) -> auto& { return r.point.mode; });
-  visit_turn(within(
-      visit, [](auto& r) -> auto& { return r.point.turn; }));
+  using P = TrajectoryPoint;
+  const auto of_point = within(visit, &TrajectoryRecord::point);
+  visit_state(within(of_point, &P::state));
+  of_point(Column{.name = "mode"}, &P::mode);
+  visit_turn(within(of_point, &P::turn));
 }
 
 /// Columns of a SurfaceCorner.
@@ -251,12 +237,7 @@ void visit_corner(Visit&& visit) {
   using C = SurfaceCorner;
   visit(Column{.name = "contactor"}, &C::contactor);
   visit(Column{.name = "face"}, &C::face);
-  visit(
-      Column{.name = "x_m", .unit = "m"}, [](auto& c) -> auto& { return c.place[0]; });
-  visit(
-      Column{.name = "y_m", .unit = "m"}, [](auto& c) -> auto& { return c.place[1]; });
-  visit(
-      Column{.name = "z_m", .unit = "m", .in_space = true}, [](auto& c) -> auto& { return c.place[2]; });
+  visit_vector(visit, {"x_m", "y_m", "z_m"}, "m", &C::place);
   visit(Column{.name = "radius_m", .unit = "m"}, &C::radius);
 }
 
@@ -269,48 +250,37 @@ void visit_shapes(Visit&& visit) {
 
 template <class Visit>
 void visit_fixtures(Visit&& visit) {
-  visit(
-      Column{.name = "body"}, [](auto& r) -> auto& { return r.row.body; });
-  visit_state(within(
-      visit, [](auto& r) -> auto& { return r.row.start; }));
-  visit_turn(within(
-      visit, [](auto& r) -> auto& { return r.row.turn; }));
-  constexpr const char* accelerations[] = {"ax_m_s2", "ay_m_s2", "az_m_s2"};
-  for (int i = 0; i < 3; ++i)
-    visit(
-        Column{.name = accelerations[i], .unit = "m/s2", .in_space = i == 2}, [i](auto& r) -> auto& {
-          return r.row.acceleration[i];
-        });
+  using F = Fixture;
+  const auto of_row = within(visit, &TrialRow<F>::row);
+  of_row(Column{.name = "body"}, &F::body);
+  visit_state(within(of_row, &F::start));
+  visit_turn(within(of_row, &F::turn));
+  visit_vector(of_row, {"ax_m_s2", "ay_m_s2", "az_m_s2"}, "m/s2", &F::acceleration);
 }
 
 template <class Visit>
 void visit_fixture_shapes(Visit&& visit) {
-  visit(
-      Column{.name = "body"}, [](auto& r) -> auto& { return r.row.body; });
-  visit_corner(within(
-      visit, [](auto& r) -> auto& { return r.row.corner; }));
+  using F = FixtureCorner;
+  const auto of_row = within(visit, &TrialRow<F>::row);
+  of_row(Column{.name = "body"}, &F::body);
+  visit_corner(within(of_row, &F::corner));
 }
 
 template <class Visit>
 void visit_series_bodies(Visit&& visit) {
-  visit(
-      Column{.name = "body"}, [](auto& r) -> auto& { return r.row.body; });
-  visit_state(within(
-      visit, [](auto& r) -> auto& { return r.row.state; }));
-  visit(
-      Column{.name = "potential_energy_J", .unit = "J"},
-      [](auto& r) -> auto& { return r.row.potential_energy; });
-  visit_turn(within(
-      visit, [](auto& r) -> auto& { return r.row.turn; }));
-  visit(
-      Column{.name = "radius_m", .unit = "m"}, [](auto& r) -> auto& { return r.row.radius; });
+  using B = SeriesBody;
+  const auto of_row = within(visit, &TrialRow<B>::row);
+  of_row(Column{.name = "body"}, &B::body);
+  visit_state(within(of_row, &B::state));
+  of_row(Column{.name = "potential_energy_J", .unit = "J"}, &B::potential_energy);
+  visit_turn(within(of_row, &B::turn));
+  of_row(Column{.name = "radius_m", .unit = "m"}, &B::radius);
 }
 
 template <class Visit>
 void visit_series_contacts(Visit&& visit) {
   using C = SeriesContact;
-  const auto of_row = within(
-      visit, [](auto& r) -> auto& { return r.row; });
+  const auto of_row = within(visit, &TrialRow<C>::row);
   of_row(Column{.name = "time_s", .unit = "s"}, &C::time);
   of_row(Column{.name = "a"}, &C::a);
   of_row(Column{.name = "b"}, &C::b);
@@ -324,21 +294,14 @@ void visit_series_contacts(Visit&& visit) {
   of_row(Column{.name = "rn_N", .unit = "N"}, &C::rn);
   of_row(Column{.name = "rt_N", .unit = "N"}, &C::rt);
   of_row(Column{.name = "state"}, &C::state);
-  constexpr const char* places[] = {"x_m", "y_m", "z_m"};
-  constexpr const char* normals[] = {"nx", "ny", "nz"};
-  for (int i = 0; i < 3; ++i)
-    of_row(
-        Column{.name = places[i], .unit = "m"}, [i](auto& row) -> auto& { return row.place[i]; });
-  for (int i = 0; i < 3; ++i)
-    of_row(
-        Column{.name = normals[i]}, [i](auto& row) -> auto& { return row.normal[i]; });
+  visit_vector(of_row, {"x_m", "y_m", "z_m"}, "m", &C::place, {});
+  visit_vector(of_row, {"nx", "ny", "nz"}, "", &C::normal, {});
 }
 
 template <class Visit>
 void visit_series_solves(Visit&& visit) {
   using S = SeriesSolve;
-  const auto of_row = within(
-      visit, [](auto& r) -> auto& { return r.row; });
+  const auto of_row = within(visit, &TrialRow<S>::row);
   of_row(Column{.name = "time_s", .unit = "s"}, &S::time);
   of_row(Column{.name = "step_s", .unit = "s"}, &S::step);
   of_row(Column{.name = "contacts"}, &S::contacts);
@@ -346,49 +309,41 @@ void visit_series_solves(Visit&& visit) {
   of_row(Column{.name = "residual_m_s", .unit = "m/s"}, &S::residual);
 }
 
-/// The columns that a passage of a gate and an arrival at a barrier share.
+/// Columns of an Arrival.
 template <class Visit>
 void visit_arrival(Visit&& visit) {
-  visit(
-      Column{.name = "time_s", .unit = "s"}, [](auto& a) -> auto& { return a.time; });
-  visit(
-      Column{.name = "speed_m_s", .unit = "m/s"}, [](auto& a) -> auto& { return a.speed; });
-  visit(
-      Column{.name = "energy_J", .unit = "J"}, [](auto& a) -> auto& { return a.kinetic_energy; });
-  visit(
-      Column{.name = "height_m", .unit = "m"}, [](auto& a) -> auto& { return a.height; });
-  visit(
-      Column{.name = "along_m", .unit = "m"}, [](auto& a) -> auto& { return a.along; });
+  using A = Arrival;
+  visit(Column{.name = "time_s", .unit = "s"}, &A::time);
+  visit(Column{.name = "speed_m_s", .unit = "m/s"}, &A::speed);
+  visit(Column{.name = "energy_J", .unit = "J"}, &A::kinetic_energy);
+  visit(Column{.name = "height_m", .unit = "m"}, &A::height);
+  visit(Column{.name = "along_m", .unit = "m"}, &A::along);
 }
 
 template <class Visit>
 void visit_gates(Visit&& visit) {
-  visit(
-      Column{.name = "gate", .names = NamesOf::gates}, [](auto& r) -> auto& { return r.passage.gate; });
-  visit_arrival(within(visit, &GateRecord::passage));
+  const auto of_passage = within(visit, &GateRecord::passage);
+  of_passage(Column{.name = "gate", .names = NamesOf::gates}, &Passage::gate);
+  visit_arrival(of_passage);
 }
 
 template <class Visit>
 void visit_barriers(Visit&& visit) {
-  visit(
-      Column{.name = "barrier", .names = NamesOf::barriers}, [](auto& r) -> auto& { return r.hit.barrier; });
-  visit(
-      Column{.name = "outcome"}, [](auto& r) -> auto& { return r.hit.outcome; });
-  visit_arrival(within(visit, &BarrierRecord::hit));
+  const auto of_hit = within(visit, &BarrierRecord::hit);
+  of_hit(Column{.name = "barrier", .names = NamesOf::barriers}, &BarrierHit::barrier);
+  of_hit(Column{.name = "outcome"}, &BarrierHit::outcome);
+  visit_arrival(of_hit);
 }
 
 template <class Visit>
 void visit_trees(Visit&& visit) {
-  visit(
-      Column{.name = "tree"}, [](auto& r) -> auto& { return r.hit.tree; });
-  visit(
-      Column{.name = "time_s", .unit = "s"}, [](auto& r) -> auto& { return r.hit.time; });
-  visit(
-      Column{.name = "energy_before_J", .unit = "J"}, [](auto& r) -> auto& { return r.hit.energy_before; });
-  visit(
-      Column{.name = "energy_after_J", .unit = "J"}, [](auto& r) -> auto& { return r.hit.energy_after; });
-  visit(
-      Column{.name = "height_m", .unit = "m"}, [](auto& r) -> auto& { return r.hit.height; });
+  using T = TreeHit;
+  const auto of_hit = within(visit, &TreeRecord::hit);
+  of_hit(Column{.name = "tree"}, &T::tree);
+  of_hit(Column{.name = "time_s", .unit = "s"}, &T::time);
+  of_hit(Column{.name = "energy_before_J", .unit = "J"}, &T::energy_before);
+  of_hit(Column{.name = "energy_after_J", .unit = "J"}, &T::energy_after);
+  of_hit(Column{.name = "height_m", .unit = "m"}, &T::height);
 }
 
 /// What the rows of a table belong to. It gives their first columns: trial, or trial and rock.
