@@ -44,28 +44,19 @@ void walk_bodies(Io& io, Bodies& bodies) {
   }
 }
 
-template <class Io, class E>
-void walk_envelopes(Io& io, E& envelopes) {
-  std::string bytes = envelopes.bytes();
+/// Envelopes or maps.
+template <class Io, class Totals>
+void walk_bytes(Io& io, Totals& totals) {
+  std::string bytes = totals.bytes();
   io.value(bytes);
-  if constexpr (!std::is_const_v<E>) envelopes = Envelopes::read(bytes);
-}
-
-template <class Io, class M>
-void walk_maps(Io& io, M& maps) {
-  std::string bytes = maps.bytes();
-  io.value(bytes);
-  if constexpr (!std::is_const_v<M>) maps = Maps::read(bytes);
+  if constexpr (!std::is_const_v<Totals>) totals = Totals::read(bytes);
 }
 
 template <class Io, class Quality>
 void walk_quality(Io& io, Quality& q) {
-  io.value(q.steps), io.value(q.cut_steps), io.value(q.refused_steps), io.value(q.flights),
-      io.value(q.impact_problems);
-  io.value(q.problems), io.value(q.iterations), io.value(q.toc_iterations), io.value(q.not_converged),
-      io.value(q.energy_gains), io.value(q.shocks);
-  io.value(q.not_converged_residual), io.value(q.max_residual), io.value(q.max_penetration),
-      io.value(q.max_spring_angle), io.value(q.energy_gained);
+  for (const auto count : SolverQuality::counts) io.value(q.*count);
+  for (const auto value : SolverQuality::greatest) io.value(q.*value);
+  io.value(q.energy_gained);
   io.value(q.least_step), io.value(q.greatest_step), io.value(q.step_time);
   io.value(q.energy_relative_change);
 }
@@ -95,8 +86,8 @@ void walk_part(Io& io, Part part, Records& records) {
   if (part == Part::brief) {
     walk_totals(io, records.totals);
   } else {
-    walk_envelopes(io, records.totals.envelopes);
-    walk_maps(io, records.totals.maps);
+    walk_bytes(io, records.totals.envelopes);
+    walk_bytes(io, records.totals.maps);
   }
 }
 

@@ -60,24 +60,11 @@ void SolverQuality::count_step(double h, bool cut) {
 }
 
 void SolverQuality::add(const SolverQuality& other) {
-  steps += other.steps;
-  cut_steps += other.cut_steps;
-  refused_steps += other.refused_steps;
+  for (const auto count : counts) this->*count += other.*count;
+  for (const auto value : greatest) this->*value = std::max(this->*value, other.*value);
   step_time += other.step_time;
   greatest_step = std::max(greatest_step, other.greatest_step);
   least_step = std::min(least_step, other.least_step);
-  flights += other.flights;
-  impact_problems += other.impact_problems;
-  problems += other.problems;
-  iterations += other.iterations;
-  toc_iterations += other.toc_iterations;
-  not_converged += other.not_converged;
-  not_converged_residual = std::max(not_converged_residual, other.not_converged_residual);
-  max_residual = std::max(max_residual, other.max_residual);
-  max_penetration = std::max(max_penetration, other.max_penetration);
-  max_spring_angle = std::max(max_spring_angle, other.max_spring_angle);
-  energy_gains += other.energy_gains;
-  shocks += other.shocks;
   energy_gained += other.energy_gained;
   if (std::abs(other.energy_relative_change) > std::abs(energy_relative_change))
     energy_relative_change = other.energy_relative_change;

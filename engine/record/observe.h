@@ -166,6 +166,16 @@ struct SolverQuality {
   std::uint64_t shocks = 0;        ///< velocity jumps in a step in which no contact approaches (Painleve)
   double energy_relative_change = 0;  ///< (total energy at the end - total energy at the start) / |scale|
 
+  /// The counts, and of what the greatest counts, as chunk files have them one after the other.
+  static constexpr std::uint64_t SolverQuality::*counts[] = {
+      &SolverQuality::steps,        &SolverQuality::cut_steps,       &SolverQuality::refused_steps,
+      &SolverQuality::flights,      &SolverQuality::impact_problems, &SolverQuality::problems,
+      &SolverQuality::iterations,   &SolverQuality::toc_iterations,  &SolverQuality::not_converged,
+      &SolverQuality::energy_gains, &SolverQuality::shocks};
+  static constexpr double SolverQuality::*greatest[] = {
+      &SolverQuality::not_converged_residual, &SolverQuality::max_residual, &SolverQuality::max_penetration,
+      &SolverQuality::max_spring_angle};
+
   /// Counts a step of length h; `cut`: a touch has cut it short.
   void count_step(double h, bool cut);
   void add(const SolverQuality& other);

@@ -27,9 +27,7 @@ struct PlanGrid {
   PlanGrid moved(const Vec2& by) const { return {low + by, cell, columns, rows}; }
   /// The cell of a place; nothing outside of the grid.
   std::optional<std::uint32_t> index(const Vec2& place) const;
-  bool operator==(const PlanGrid& other) const {
-    return low == other.low && cell == other.cell && columns == other.columns && rows == other.rows;
-  }
+  bool operator==(const PlanGrid&) const = default;
 };
 
 /// The greatest values of a body while its centre of mass was over a cell.
