@@ -65,13 +65,6 @@ double distance_of(const std::array<Vec3, 3>& corner, const Vec3& a, const Vec3&
   return least;
 }
 
-double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double length = along.squaredNorm();
-  const double share = length > 0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0;
-  return (p - a - share * along).norm();
-}
-
 double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());

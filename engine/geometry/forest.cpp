@@ -83,13 +83,6 @@ Forest::Forest(std::vector<Stem> stems) : stems_(std::move(stems)) {
     sorted_[static_cast<std::size_t>(next[cell_of(stems_[i])]++)] = static_cast<int>(i);
 }
 
-double Forest::Piece::distance(const Vec2& place) const {
-  const Vec2 along = to - from;
-  const double squared = along.squaredNorm();
-  const double share = squared > 0 ? std::clamp((place - from).dot(along) / squared, 0.0, 1.0) : 0;
-  return (place - from - share * along).norm();
-}
-
 int Forest::pieces_of(const PlanPath& path, double end, double& sag) const {
   constexpr double most_pieces = 1e6;
   const double length = greatest_derivative(path, 1, end) * end;

@@ -42,7 +42,6 @@ class Forest {
   explicit Forest(std::vector<Stem> stems);
 
   const std::vector<Stem>& stems() const { return stems_; }
-  double greatest_radius() const { return greatest_radius_; }
 
   struct Touch {
     double time = 0;
@@ -59,7 +58,6 @@ class Forest {
   struct Piece {
     Vec2 from, to;
     double reach;
-    double distance(const Vec2& place) const;
   };
   /// Pieces about as long as a cell, and how far a piece of that duration strays from its chord:
   /// max |p''| dt^2 / 8.
@@ -105,7 +103,8 @@ std::optional<Forest::Touch> Forest::first(const SpacePath& path, double end, do
     const Piece piece{path.plan.position(begin), path.plan.position(end * (i + 1) / pieces), radius + sag};
     visit_near(piece, [&](int tree) {
       const Stem& stem = stems_[static_cast<std::size_t>(tree)];
-      if (piece.distance(stem.place) > stem.radius + piece.reach || skip(tree)) return;
+      const double distance = distance_to_segment(stem.place, piece.from, piece.to);
+      if (distance > stem.radius + piece.reach || skip(tree)) return;
       const std::optional<double> ground = foot(stem.place);
       if (!ground) return;
       const auto time = first_touch(path, end, radius, stem, *ground + stem.height);

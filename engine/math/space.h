@@ -2,6 +2,7 @@
 // Vectors, spins and rotations in 2D and 3D.
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 namespace flyrock {
@@ -25,6 +26,15 @@ inline Vec2 perpendicular(const Vec2& r) { return {-r.y(), r.x()}; }
 /// The length of the horizontal part of a position or direction. The vertical axis is y in 2D and z in 3D.
 inline double horizontal(const Vec2& v) { return std::abs(v.x()); }
 inline double horizontal(const Vec3& v) { return v.head<2>().norm(); }
+
+/// The distance of a place p from the segment between a and b.
+template <class Place>
+double distance_to_segment(const Place& p, const Place& a, const Place& b) {
+  const Place along = b - a;
+  const double squared = along.squaredNorm();
+  const double share = squared > 0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0;
+  return (p - a - share * along).norm();
+}
 
 /// A rotation in 2D, stored as cosine and sine, so that it is applied without trigonometric functions.
 struct Rotation2 {

@@ -1,7 +1,6 @@
 #include "report/tracks.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "report/json_object.h"
 #include "report/rounded.h"
@@ -15,14 +14,6 @@ using Json = nlohmann::ordered_json;
 /// The greatest distance between a thinned path and the stored path, relative to the extent of its group: a
 /// seventh of a pixel in a plot of the group.
 constexpr double track_tolerance = 1e-4;
-
-double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double length2 = along.squaredNorm();
-  if (length2 == 0) return (p - a).norm();
-  const double share = std::clamp((p - a).dot(along) / length2, 0.0, 1.0);
-  return (p - a - share * along).norm();
-}
 
 }  // namespace
 
