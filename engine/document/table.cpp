@@ -8,6 +8,7 @@
 
 #include "document/printable.h"
 #include "document/wording.h"
+#include "units/units.h"
 
 namespace flyrock {
 
@@ -20,13 +21,6 @@ std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return text.substr(text.size());
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
 }
 
 /// A unit as heads write it: `kg_per_m`, `m_s` for m/s, `m/s`. The reading that has the dimension counts.
@@ -344,8 +338,7 @@ class TextTableReader {
 
   std::string wrong_count(std::size_t found) const {
     if (bare_) {
-      std::vector<std::string> names;
-      for (const TableColumn& column : columns_) names.push_back(column.name);
+      const std::vector<std::string> names = names_of(columns_);
       return fmt::format("expected {} numbers, {} and {}, found {}{}", names.size() == 2 ? "two" : "three",
                          fmt::join(names.begin(), names.end() - 1, ", "), names.back(), found,
                          found == 2 * names.size() ? ": with commas in decimals, separate the numbers by "

@@ -18,9 +18,7 @@ constexpr std::array<std::string_view, 4> words_for_no{"n", "no", "false", "off"
 /// What a word says where people answer with yes or no, in any case of its letters: `No`, `OFF`. YAML 1.1
 /// read all of these as booleans. Nothing for other words.
 std::optional<bool> yes_or_no(std::string_view word) {
-  std::string small(word);
-  for (char& c : small)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  const std::string small = lower(word);
   if (std::find(words_for_yes.begin(), words_for_yes.end(), small) != words_for_yes.end()) return true;
   if (std::find(words_for_no.begin(), words_for_no.end(), small) != words_for_no.end()) return false;
   return std::nullopt;

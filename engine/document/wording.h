@@ -10,6 +10,14 @@ namespace flyrock {
 /// "a.b" from "a" and "b"; "b" from "" and "b".
 std::string join_path(const std::string& path, std::string_view step);
 
+/// The names of the items of a list.
+template <class List>
+std::vector<std::string> names_of(const List& list) {
+  std::vector<std::string> names;
+  for (const auto& item : list) names.emplace_back(item.name);
+  return names;
+}
+
 /// "`a`", "`a` or `b`", "`a`, `b` or `c`".
 std::string choice_text(const std::vector<std::string>& names);
 

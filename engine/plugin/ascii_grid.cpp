@@ -12,6 +12,7 @@
 #include "plugin/projection_file.h"
 #include "plugin/raster_file.h"
 #include "plugin/words.h"
+#include "units/units.h"
 
 namespace flyrock {
 
@@ -19,13 +20,6 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double most_cells = 5e8;  // 4 GB of heights
-
-std::string lower(std::string_view word) {
-  std::string text(word);
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
 
 /// Words that programs write where there is no number.
 bool is_void_word(std::string_view word) {

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "plugin/params.h"
+#include "units/units.h"
 
 namespace flyrock {
 
@@ -50,8 +50,7 @@ RasterFile read_with_gdal(const std::string& who, const std::string& path, std::
 }  // namespace
 
 RasterFile read_raster_file(const std::string& who, const std::string& path, std::optional<double> no_data) {
-  std::string ending = path.substr(std::min(path.rfind('.'), path.size()));
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string ending = lower(path.substr(std::min(path.rfind('.'), path.size())));
   const bool is_text = ending == ".asc" || ending == ".txt" || ending == ".grd";
   return is_text ? read_ascii_grid(who, path, no_data) : read_with_gdal(who, path, no_data);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "document/wording.h"
 #include "results/unknown.h"
 #include "scenario/measure.h"
 
@@ -19,13 +20,6 @@ int index_of(const std::string& word, const List& names) {
   const auto found = std::find(names.begin(), names.end(), word);
   if (found == names.end()) throw std::logic_error("a measure that the decoder did not check: " + word);
   return static_cast<int>(found - names.begin());
-}
-
-template <class Plan>
-std::vector<std::string> names_of(const std::vector<Plan>& plans) {
-  std::vector<std::string> names;
-  for (const Plan& plan : plans) names.push_back(plan.name);
-  return names;
 }
 
 constexpr std::array<std::string_view, 4> gate_fields = {"passed", "mean_energy", "p95_energy", "p95_height"};

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "document/wording.h"
 #include "geometry/terrain_place.h"
 #include "plugin/surveyed_terrain.h"
 #include "scenario/decode_sections.h"
@@ -19,12 +20,6 @@ namespace {
 std::optional<PluginUse> decode_law(DecodeContext& context, const Node& material, PluginKind kind) {
   const std::optional<Node> node = material.find(name_of(kind));
   return node ? decode_plugin(context, *node, kind) : std::nullopt;
-}
-
-std::vector<std::string> names_of(const std::vector<Material>& materials) {
-  std::vector<std::string> names;
-  for (const Material& material : materials) names.push_back(material.name);
-  return names;
 }
 
 /// What a terrain says of its file: one line, the coordinate system, and warnings.

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "document/node.h"
+#include "document/wording.h"
 #include "record/rock_statistics.h"
 #include "units/units.h"
 
@@ -91,12 +92,6 @@ const Table clearance_quantities{{"distance", dimension::length},
 const Table exposure_quantities{
     {"per_blast", dimension::none}, {"per_year", dimension::none}, {"hits_per_m2", {-2, 0, 0, 0}}};
 const std::vector<std::string> statistics{"mean", "sd", "min", "max", "p50", "p90", "p95", "p99"};
-
-std::vector<std::string> names_of(const Table& table) {
-  std::vector<std::string> names;
-  for (const Named& entry : table) names.emplace_back(entry.name);
-  return names;
-}
 
 /// Reads a measure from left to right. The first step that does not fit becomes the fault.
 class MeasureParser {

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
 #include "random/pieces_by_mass.h"
@@ -166,9 +165,7 @@ Value DistributionNormaliser::map(const WrittenForm& form, const Node& node) {
     good_ = false;
     return {};
   }
-  std::vector<std::string> names;
-  for (const Parameter& parameter : form.parameters) names.emplace_back(parameter.name);
-  node.refuse_unknown_keys(names, context_.diagnostics);
+  node.refuse_unknown_keys(names_of(form.parameters), context_.diagnostics);
   Map map;
   for (const Parameter& parameter : form.parameters) {
     if (const std::optional<Node> child = node.find(parameter.name))

@@ -310,13 +310,10 @@ Partner TrialBuilder<D>::partner_of(const RockPlan<D>& plan, const TrialRock& ro
   const auto& materials = scenario_.materials;
   const auto found = std::find_if(materials.begin(), materials.end(),
                                   [&](const Material& known) { return known.name == *plan.material; });
-  if (found == materials.end()) {
-    std::vector<std::string> names;
-    for (const Material& known : materials) names.push_back(known.name);
+  if (found == materials.end())
     throw ScenarioError(group.population.path,
                         fmt::format("a rock of the population has the material `{}`, expected {}",
-                                    *plan.material, choice_text(names)));
-  }
+                                    *plan.material, choice_text(names_of(materials))));
   partner.material = static_cast<int>(found - materials.begin());
   return partner;
 }

@@ -28,6 +28,13 @@ bool abbreviates(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+std::string lower(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
+}
+
 std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates) {
   if (word.empty() || word.size() > 100) return {};
   std::string nearest;

@@ -91,6 +91,9 @@ bool rounds_to_whole(std::string_view text);
 /// Parses a text. If it is not a number with an optional unit, returns nullopt and fills `error`.
 std::optional<Quantity> parse_quantity(std::string_view text, QuantityError* error = nullptr);
 
+/// A text in small letters, from A to Z.
+std::string lower(std::string_view text);
+
 /// The candidate nearest to `word` by edit distance, or an empty text if none is near.
 std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates);
 

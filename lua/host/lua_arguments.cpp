@@ -105,8 +105,7 @@ void LuaArguments::note(LuaArgument argument, LuaArgument fallback) {
 }
 
 void LuaArguments::refuse_unasked(Diagnostics& diagnostics) const {
-  std::vector<std::string> names;
-  for (const LuaArgument& argument : asked_) names.push_back(argument.name);
+  const std::vector<std::string> names = names_of(asked_);
   for (const Given& one : given_) {
     if (std::find(names.begin(), names.end(), one.name) != names.end()) continue;
     diagnostics.error(

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <fstream>
 #include <stdexcept>
 
@@ -10,16 +8,13 @@
 #include "plugins/factories.h"
 #include "plugins/read_points.h"
 #include "plugins/terrain/mesh/mesh_file.h"
+#include "units/units.h"
 
 namespace flyrock::plugins {
 
 namespace {
 
-bool has_ending(const std::string& path, std::string_view ending) {
-  std::string lower = path.substr(path.size() - std::min(path.size(), ending.size()));
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower == ending;
-}
+bool has_ending(const std::string& path, std::string_view ending) { return lower(path).ends_with(ending); }
 
 /// Whether a file is a surface; an OBJ file may list vertices only.
 bool has_faces(const std::string& path) {

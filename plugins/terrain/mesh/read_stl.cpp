@@ -6,7 +6,6 @@
 
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +14,7 @@
 #include "plugin/params.h"
 #include "plugin/words.h"
 #include "plugins/terrain/mesh/mesh_file.h"
+#include "units/units.h"
 
 namespace flyrock::plugins {
 
@@ -24,18 +24,12 @@ constexpr std::size_t header = 80, record = 50;
 
 static_assert(std::endian::native == std::endian::little);
 
-std::string in_small_letters(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower;
-}
-
 /// Whether the start of a file is text that begins with `solid`, in any letters. A text has no byte 0; a
 /// binary file of fewer than 16 million triangles has one in their number.
 bool is_text(std::string_view start) {
   if (start.starts_with("\xEF\xBB\xBF")) start.remove_prefix(3);  // byte order mark
   start.remove_prefix(std::min(start.find_first_not_of(" \t\r\n"), start.size()));
-  return in_small_letters(start.substr(0, 5)) == "solid" && start.find('\0') == start.npos;
+  return lower(start.substr(0, 5)) == "solid" && start.find('\0') == start.npos;
 }
 
 /// The number of triangles of a binary file; nothing if the file is text. What follows the last triangle is
@@ -92,7 +86,7 @@ void read_binary(const std::string& plugin, const std::string& path, std::int64_
 
 void expect(Words& words, std::string_view expected) {
   const std::string found(words.next());
-  if (in_small_letters(found) == expected) return;
+  if (lower(found) == expected) return;
   words.fail(found.empty() ? fmt::format("the file ends, expected `{}`", expected)
                            : fmt::format("expected `{}`, found `{}`", expected, found));
 }
@@ -123,7 +117,7 @@ void read_text(const std::string& plugin, const std::string& path, MeshFile& mes
   };
   skip_name();
   while (true) {
-    const std::string word = in_small_letters(words.next());
+    const std::string word = lower(words.next());
     if (word == "facet") {
       read_facet(words, mesh);
     } else if (word == "endsolid") {
@@ -155,8 +149,7 @@ MeshFile read_stl(const std::string& plugin, const std::string& path) {
 }
 
 MeshFile read_mesh(const std::string& plugin, const std::string& path, PartsOf parts) {
-  std::string ending = path.substr(std::min(path.rfind('.'), path.size()));
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string ending = lower(path.substr(std::min(path.rfind('.'), path.size())));
   if (ending == ".obj") return read_obj(plugin, path, parts);
   if (ending == ".stl") return read_stl(plugin, path);
   throw PluginError(
