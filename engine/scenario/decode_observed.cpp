@@ -112,7 +112,7 @@ class ObservedDecoder {
   /// table of rocks, rows and rocks are compared as wholes.
   void pair(const TextTable& table) {
     const std::map<std::string, TableLine> lines = lines_by_name();
-    if (table.has("name") && !lines.empty()) return pair_by_name(table, lines);
+    if (table.has("name") && !lines.empty()) return pair_by_name(table, lines, "rock of a table");
     const RockGroup* with_table = nullptr;
     int group = -1;
     for (std::size_t g = 0; g < groups_.size(); ++g)
@@ -133,22 +133,24 @@ class ObservedDecoder {
     for (std::size_t r = 0; r < plan_.rows.size(); ++r) give(plan_.rows[r], {group, static_cast<int>(r)});
   }
 
-  void pair_by_name(const TextTable& table, const std::map<std::string, TableLine>& lines) {
+  /// Gives each row the place of its name; `what` names the places in messages.
+  template <class Place>
+  void pair_by_name(const TextTable& table, const std::map<std::string, Place>& places, const char* what) {
     std::vector<std::string> names;
-    for (const auto& [name, line] : lines) names.push_back(name);
+    for (const auto& [name, place] : places) names.push_back(name);
     std::map<std::string, std::size_t> seen;
     for (std::size_t r = 0; r < plan_.rows.size(); ++r) {
       ObservedRow& row = plan_.rows[r];
-      const auto line = lines.find(row.name);
-      if (line == lines.end())
+      const auto place = places.find(row.name);
+      if (place == places.end())
         fail(table, r, "name",
              row.name.empty()
                  ? "has no name, the other lines have"
-                 : fmt::format("`{}` is no rock of a table{}", row.name, did_you_mean(row.name, names)));
+                 : fmt::format("`{}` is no {}{}", row.name, what, did_you_mean(row.name, names)));
       else if (!seen.emplace(row.name, r).second)
         fail(table, r, "name", fmt::format("`{}` is measured twice", row.name));
       else
-        give(row, line->second);
+        give(row, place->second);
     }
   }
 
@@ -166,24 +168,9 @@ class ObservedDecoder {
       }
       return;
     }
-    std::vector<std::string> names;
     std::map<std::string, std::size_t> hole_of;
-    for (std::size_t h = 0; h < holes_->size(); ++h) {
-      names.push_back((*holes_)[h].name);
-      hole_of.emplace(names.back(), h);
-    }
-    std::map<std::string, std::size_t> seen;
-    for (std::size_t r = 0; r < plan_.rows.size(); ++r) {
-      ObservedRow& row = plan_.rows[r];
-      const auto hole = hole_of.find(row.name);
-      if (hole == hole_of.end())
-        fail(table, r, "name",
-             fmt::format("`{}` is no hole of `blast.holes`{}", row.name, did_you_mean(row.name, names)));
-      else if (!seen.emplace(row.name, r).second)
-        fail(table, r, "name", fmt::format("`{}` is measured twice", row.name));
-      else
-        give(row, hole->second);
-    }
+    for (std::size_t h = 0; h < holes_->size(); ++h) hole_of.emplace((*holes_)[h].name, h);
+    pair_by_name(table, hole_of, "hole of `blast.holes`");
   }
 
   void give(ObservedRow& row, std::size_t hole) {

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "blast/blast.h"
+#include "document/wording.h"
 #include "scenario/scenario.h"
 
 namespace flyrock {
@@ -57,43 +58,31 @@ ParamSpec optional(ParamSpec spec) {
   spec.optional = true;
   return spec;
 }
-ParamSpec or_else(ParamSpec spec, double value) {
-  spec.default_number = value;
+template <auto member, class V>
+ParamSpec with(ParamSpec spec, V value) {
+  spec.*member = std::move(value);
   return spec;
+}
+ParamSpec at_least(ParamSpec spec, double limit) { return with<&ParamSpec::min>(std::move(spec), limit); }
+ParamSpec at_most(ParamSpec spec, double limit) { return with<&ParamSpec::max>(std::move(spec), limit); }
+ParamSpec above(ParamSpec spec, double limit) { return with<&ParamSpec::above>(std::move(spec), limit); }
+ParamSpec below(ParamSpec spec, double limit) { return with<&ParamSpec::below>(std::move(spec), limit); }
+ParamSpec usually(ParamSpec spec, const std::optional<UsualRange>& range) {
+  return with<&ParamSpec::usual>(std::move(spec), range);
+}
+ParamSpec or_else(ParamSpec spec, double value) {
+  return with<&ParamSpec::default_number>(std::move(spec), value);
 }
 ParamSpec or_else(ParamSpec spec, const char* value) {
-  spec.default_text = value;
-  return spec;
+  return with<&ParamSpec::default_text>(std::move(spec), value);
 }
 ParamSpec or_else(ParamSpec spec, std::vector<double> values) {
-  spec.default_vector = std::move(values);
-  return spec;
+  return with<&ParamSpec::default_vector>(std::move(spec), std::move(values));
 }
 /// A number, or this word, which is the default.
 ParamSpec or_word(ParamSpec spec, const char* word) {
   spec.choices = {word};
-  spec.default_text = word;
-  return spec;
-}
-ParamSpec at_least(ParamSpec spec, double limit) {
-  spec.min = limit;
-  return spec;
-}
-ParamSpec at_most(ParamSpec spec, double limit) {
-  spec.max = limit;
-  return spec;
-}
-ParamSpec above(ParamSpec spec, double limit) {
-  spec.above = limit;
-  return spec;
-}
-ParamSpec below(ParamSpec spec, double limit) {
-  spec.below = limit;
-  return spec;
-}
-ParamSpec usually(ParamSpec spec, const std::optional<UsualRange>& range) {
-  spec.usual = range;
-  return spec;
+  return or_else(std::move(spec), word);
 }
 
 SectionSpec document() {
@@ -601,8 +590,7 @@ std::vector<SectionSpec> make_sections() {
 }  // namespace
 
 std::vector<std::string> SectionSpec::key_names() const {
-  std::vector<std::string> names;
-  for (const ParamSpec& spec : keys) names.push_back(spec.name);
+  std::vector<std::string> names = names_of(keys);
   names.insert(names.end(), parts.begin(), parts.end());
   return names;
 }
