@@ -67,7 +67,7 @@ class SampledLaw {
   }
 
  private:
-  BoundLaw<LawKind>& bound() {
+  auto& bound() {
     if constexpr (std::is_same_v<LawKind, RestitutionLaw>) return laws_.restitution;
     if constexpr (std::is_same_v<LawKind, FrictionLaw>) return laws_.friction;
     if constexpr (std::is_same_v<LawKind, RollingLaw>) return laws_.rolling;

@@ -6,9 +6,9 @@ namespace flyrock {
 
 namespace {
 
-template <class LawKind>
-void bind(BoundLaw<LawKind>& bound, const std::unique_ptr<LawKind>& law, const std::optional<PluginUse>& use,
-          const Scenario& scenario, const DrawKey& key) {
+template <class LawKind, class Answer>
+void bind(BoundLaw<LawKind, Answer>& bound, const std::unique_ptr<LawKind>& law,
+          const std::optional<PluginUse>& use, const Scenario& scenario, const DrawKey& key) {
   if (!law) return;
   bound.law = law.get();
   bound.values = values_of(*use, scenario, key);

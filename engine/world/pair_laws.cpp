@@ -9,12 +9,12 @@ namespace {
 
 /// The answer of a law: the kept answer if it is constant, otherwise a new, checked one. `own` is the law's
 /// memory of the contact.
-template <class Answer, class LawKind, class Ask>
-Answer answer(BoundLaw<LawKind>& bound, std::optional<Answer>& kept, std::uint64_t& asked,
-              ContactState& state, std::span<double> own, Ask&& ask) {
+template <class LawKind, class Answer, class Ask>
+Answer answer(BoundLaw<LawKind, Answer>& bound, std::uint64_t& asked, ContactState& state,
+              std::span<double> own, Ask&& ask) {
   if (!bound.law) return Answer{};
   ++asked;
-  if (kept) return *kept;
+  if (bound.kept) return *bound.kept;
   const bool of_pair = !bound.per_contact && bound.memory > 0;
   if (of_pair) bound.scratch = bound.before;
   state.history = of_pair ? std::span(bound.scratch) : own.first(bound.memory);
@@ -22,7 +22,7 @@ Answer answer(BoundLaw<LawKind>& bound, std::optional<Answer>& kept, std::uint64
   for (std::size_t k = 0; of_pair && k < bound.memory; ++k)
     if (bound.scratch[k] != bound.before[k]) bound.history[k] = bound.scratch[k];
   check_answer(*bound.law, given);
-  if (bound.constant()) kept = given;
+  if (bound.constant()) bound.kept = given;
   return given;
 }
 
@@ -31,10 +31,7 @@ void draw(const Slots& slots, std::vector<double>& values, std::uint64_t seed, c
   for (const auto& [slot, draw] : slots) values[slot] = draw->value(seed, key);
 }
 
-template <class LawKind>
-bool varies(const BoundLaw<LawKind>& bound) {
-  return bound.law && !bound.law->constant();
-}
+bool varies(const auto& bound) { return bound.law && !bound.law->constant(); }
 
 }  // namespace
 
@@ -42,15 +39,12 @@ void PairLaws::begin_pair(const DrawKey& of_pair) {
   key = of_pair;
   use = {};
   known_.reset();
-  const auto begin = [&](auto& bound, auto& kept) {
+  const auto begin = [&](auto& bound) {
     draw(bound.drawn, bound.values, seed, key);
     if (bound.memory > 0) bound.forget();
-    kept.reset();  // not kept for all rocks, because a law in Lua may print
+    bound.kept.reset();  // not kept for all rocks, because a law in Lua may print
   };
-  begin(restitution, constant_restitution_);
-  begin(friction, constant_friction_);
-  begin(rolling, constant_rolling_);
-  begin(unilateral, constant_unilateral_);
+  begin(restitution), begin(friction), begin(rolling), begin(unilateral);
 }
 
 void PairLaws::begin_instant() {
@@ -75,17 +69,17 @@ ContactLaw PairLaws::ask(ContactState& state, bool impact, ContactHistory& histo
   };
   Restitution rebound;
   if (impact)
-    rebound = answer(restitution, constant_restitution_, use.restitution, state, own(0),
+    rebound = answer(restitution, use.restitution, state, own(0),
                      [](const auto& l, const auto& p, const auto& s) { return l.impact(p, s); });
   if (const ContactLaw* law = known()) return {rebound, *law, *law, law->condition, law->spring};
   const Friction friction_given =
-      answer(friction, constant_friction_, use.friction, state, own(1),
+      answer(friction, use.friction, state, own(1),
              [](const auto& l, const auto& p, const auto& s) { return l.friction(p, s); });
   const Rolling rolling_given =
-      answer(rolling, constant_rolling_, use.rolling, state, own(2),
+      answer(rolling, use.rolling, state, own(2),
              [](const auto& l, const auto& p, const auto& s) { return l.rolling(p, s); });
   const Unilateral normal =
-      answer(unilateral, constant_unilateral_, use.unilateral, state, own(3),
+      answer(unilateral, use.unilateral, state, own(3),
              [](const auto& l, const auto& p, const auto& s) { return l.condition(p, s); });
   ContactLaw law{{}, friction_given, rolling_given, normal.condition, normal.spring};
   if (normal.condition == NormalCondition::cohesive) {  // a pull shifts the whole friction cone

@@ -15,11 +15,13 @@ namespace flyrock {
 /// The memory of the laws of one contact, for laws that keep memory per contact.
 using ContactHistory = std::array<double, 4 * most_history>;
 
-/// A law with the values of its parameters. `law` is null if the material does not name one.
-template <class LawKind>
+/// A law with the values of its parameters, and what it answers. `law` is null if the material does not name
+/// one.
+template <class LawKind, class Answer>
 struct BoundLaw {
   const LawKind* law = nullptr;
   std::vector<double> values;
+  std::optional<Answer> kept;  ///< of a constant law
   struct DrawnSlot {
     int slot;
     const Draw* draw;
@@ -53,10 +55,10 @@ struct Roughness {
 class PairLaws {
  public:
   std::string material;
-  BoundLaw<RestitutionLaw> restitution;
-  BoundLaw<FrictionLaw> friction;
-  BoundLaw<RollingLaw> rolling;
-  BoundLaw<UnilateralLaw> unilateral;
+  BoundLaw<RestitutionLaw, Restitution> restitution;
+  BoundLaw<FrictionLaw, Friction> friction;
+  BoundLaw<RollingLaw, Rolling> rolling;
+  BoundLaw<UnilateralLaw, Unilateral> unilateral;
   Roughness roughness;
   std::uint64_t seed = 1;
   DrawKey key;  ///< trial and rock, for draws per impact
@@ -91,10 +93,6 @@ class PairLaws {
   const double* restore_history(const double* memory);
 
  private:
-  std::optional<Restitution> constant_restitution_;
-  std::optional<Friction> constant_friction_;
-  std::optional<Rolling> constant_rolling_;
-  std::optional<Unilateral> constant_unilateral_;
   std::optional<ContactLaw> known_;  ///< friction, rolling and unilateral
   /// What is the same for all pairs of this kind; found once, because each impact needs it.
   struct Traits {
