@@ -28,8 +28,4 @@ struct Conformance {
 /// 5 s of processor time.
 Conformance conformance(const Plugin& plugin);
 
-inline std::vector<std::string> conformance_faults(const Plugin& plugin) {
-  return conformance(plugin).faults;
-}
-
 }  // namespace flyrock

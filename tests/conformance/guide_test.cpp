@@ -56,6 +56,6 @@ TEST_CASE("the plugins of the guide load and conform") {
     INFO(name);
     const Plugin* plugin = session.registry().find(kind, name);
     REQUIRE(plugin);
-    CHECK(conformance_faults(*plugin) == std::vector<std::string>{});
+    CHECK(conformance(*plugin).faults == std::vector<std::string>{});
   }
 }

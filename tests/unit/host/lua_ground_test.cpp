@@ -185,7 +185,7 @@ TEST_CASE("a plugin of one dimension says so, and is refused in the other") {
   CHECK_THROWS_WITH(make<Population>(lua.session, PluginKind::population, "m", {}, 2),
                     "plugin m: the population `m` is of dimension 3, the scenario has dimension 2");
   const Plugin* plugin = lua.session.registry().find(PluginKind::population, "m");
-  CHECK(conformance_faults(*plugin).empty());
+  CHECK(conformance(*plugin).faults.empty());
   LuaFixture wrong;
   wrong.write("m.lua",
               "local fr = require 'flyrock'\nreturn fr.plugin { kind = 'population', name = 'm', doc = "

@@ -130,32 +130,32 @@ std::string only(const Faults& faults) {
 }  // namespace
 
 TEST_CASE("a sound law has no faults") {
-  CHECK(conformance_faults(rolling({})).empty());
-  CHECK(conformance_faults(rolling({.constant = false, .follows_state = true})).empty());
+  CHECK(conformance(rolling({})).faults.empty());
+  CHECK(conformance(rolling({.constant = false, .follows_state = true})).faults.empty());
 }
 
 TEST_CASE("the battery finds laws that break their word") {
   CHECK_THAT(
-      only(conformance_faults(rolling({.follows_state = true}))),
+      only(conformance(rolling({.follows_state = true})).faults),
       Catch::StartsWith(
           "says that it is constant and answers two states differently\n  asked with: approach_speed = "));
-  CHECK(conformance_faults(rolling({.uses = false})) == Faults{"the parameter `mu_r` changes nothing"});
-  CHECK_THAT(only(conformance_faults(rolling({.negative = true}))),
+  CHECK(conformance(rolling({.uses = false})).faults == Faults{"the parameter `mu_r` changes nothing"});
+  CHECK_THAT(only(conformance(rolling({.negative = true})).faults),
              Catch::StartsWith(
                  "plugin under_test: rolling() returned mu_r = -1, must be at least 0\n  asked with: ") &&
                  Catch::Contains(" (SI units)\n  parameters: mu_r = 0."));
-  CHECK_THAT(only(conformance_faults(rolling({.reads = false, .uses = false}))),
+  CHECK_THAT(only(conformance(rolling({.reads = false, .uses = false})).faults),
              Catch::StartsWith(
                  "it cannot be made with parameters within their limits: plugin under_test: declares the "
                  "parameter `mu_r` and does not read it\n  parameters: mu_r = "));
 }
 
 TEST_CASE("the battery finds shapes that are no convex polygons") {
-  CHECK(conformance_faults(shape({{0, 0}, {1, 0}, {0, 1}})).empty());
+  CHECK(conformance(shape({{0, 0}, {1, 0}, {0, 1}})).faults.empty());
   const std::string sample = "\n  asked with: the random numbers of sample 0\n  parameters: none";
-  CHECK(conformance_faults(shape({{0, 0}, {0, 1}, {1, 0}})) ==
+  CHECK(conformance(shape({{0, 0}, {0, 1}, {1, 0}})).faults ==
         Faults{"the vertices of a polygon run clockwise" + sample});
-  CHECK(conformance_faults(shape({{0, 0}, {4, 0}, {1, 1}, {0, 4}})) ==
+  CHECK(conformance(shape({{0, 0}, {4, 0}, {1, 1}, {0, 4}})).faults ==
         Faults{"the polygon is not convex at the vertex (1, 1)" + sample});
 }
 
@@ -166,24 +166,24 @@ TEST_CASE("the battery finds meshes and grids that do not fit together") {
   mesh.triangles = {{0, 1, 2}};
   mesh.part = {0};
   mesh.parts = {""};
-  CHECK(conformance_faults(terrain(mesh)).empty());
+  CHECK(conformance(terrain(mesh)).faults.empty());
   mesh.triangles[0][2] = 3;
-  CHECK(conformance_faults(terrain(mesh)) ==
+  CHECK(conformance(terrain(mesh)).faults ==
         Faults{"in 3D triangle 0 of a mesh names the vertex 3 of 3 vertices (from 0)" + sample});
   HeightGrid grid;
   grid.columns = grid.rows = 2;
   grid.heights = {0, 1, 2, 3};
-  CHECK(conformance_faults(terrain(grid)).empty());
+  CHECK(conformance(terrain(grid)).faults.empty());
   grid.heights[3] = std::numeric_limits<double>::quiet_NaN();
-  CHECK(conformance_faults(terrain(grid)) ==
+  CHECK(conformance(terrain(grid)).faults ==
         Faults{"in 3D a grid has no ground: nowhere have four neighbouring cells a height" + sample});
   grid.heights.pop_back();
-  CHECK(conformance_faults(terrain(grid)) == Faults{"in 3D a grid of 2 x 2 cells has 3 heights" + sample});
+  CHECK(conformance(terrain(grid)).faults == Faults{"in 3D a grid of 2 x 2 cells has 3 heights" + sample});
 }
 
 TEST_CASE("parameters that bound each other are sampled within their bounds") {
-  CHECK(conformance_faults(friction({{BoundRelation::at_most, "mu_s"}})).empty());
-  CHECK_THAT(only(conformance_faults(friction({}))),
+  CHECK(conformance(friction({{BoundRelation::at_most, "mu_s"}})).faults.empty());
+  CHECK_THAT(only(conformance(friction({})).faults),
              Catch::Contains("must be at most mu_s\n  asked with: ") &&
                  Catch::Contains("\n  parameters: mu_d = 0.") && Catch::Contains(", mu_s = 0."));
 
@@ -233,7 +233,7 @@ TEST_CASE("the work of the battery grows with the number of parameters, not with
     for (const ParamSpec& param : plugin.spec.params) params.slot(param.name);
     return std::make_unique<Sum>();
   });
-  CHECK(conformance_faults(plugin).empty());
+  CHECK(conformance(plugin).faults.empty());
   CHECK(made <
         1500);  // 64 choices of optional parameters, 4 samples of each in 2D and in 3D, each made twice
 }
