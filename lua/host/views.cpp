@@ -283,10 +283,10 @@ int integer(lua_State* lua) {
   return 1;
 }
 
-template <std::size_t n>
-std::vector<std::pair<std::string_view, int>> numbered(const std::string_view (&names)[n]) {
+template <class Names>
+std::vector<std::pair<std::string_view, int>> numbered(const Names& names) {
   std::vector<std::pair<std::string_view, int>> fields;
-  for (std::size_t i = 0; i < n; ++i) fields.emplace_back(names[i], static_cast<int>(i));
+  for (const auto& name : names) fields.emplace_back(name, static_cast<int>(fields.size()));
   return fields;
 }
 
@@ -301,9 +301,7 @@ View contact_view(lua_State* lua, const View* history) {
 }
 
 View history_view(lua_State* lua, const PluginSpec& spec) {
-  std::vector<std::pair<std::string_view, int>> fields;
-  for (const std::string& name : spec.history) fields.emplace_back(name, static_cast<int>(fields.size()));
-  return View(lua, history_type, fields);
+  return View(lua, history_type, numbered(spec.history));
 }
 
 View rock_view(lua_State* lua) { return View(lua, rock_type, numbered(rock_names)); }

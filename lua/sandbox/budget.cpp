@@ -8,6 +8,8 @@
 #include <ctime>
 #include <lua.hpp>
 
+#include "sandbox/state.h"
+
 namespace flyrock {
 
 namespace {
@@ -110,11 +112,7 @@ void charge(lua_State* lua, double instructions) { spend_or_raise(lua, instructi
 
 void exceed(lua_State* lua, const std::string& text, int level) {
   budget_of(lua).exceeded = text;
-  luaL_where(lua, level);
-  lua_pushlstring(lua, text.data(), text.size());
-  lua_concat(lua, 2);
-  lua_error(lua);
-  std::terminate();  // lua_error does not return
+  raise(lua, text, level);
 }
 
 void raise_if_exceeded(lua_State* lua) {

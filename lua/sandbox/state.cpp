@@ -92,8 +92,8 @@ bool has_place(std::string_view text) {
   return place != text.npos && place < text.find(": ");
 }
 
-void raise(lua_State* lua, const std::string& text) {
-  luaL_where(lua, 1);
+void raise(lua_State* lua, const std::string& text, int level) {
+  luaL_where(lua, level);
   lua_pushlstring(lua, text.data(), text.size());
   lua_concat(lua, 2);
   lua_error(lua);

@@ -54,8 +54,8 @@ class LuaState {
 /// Whether a message begins with the place of Lua code: "my_law.lua:16: ...".
 bool has_place(std::string_view text);
 
-/// Raises `text` as a Lua error with the place of the running Lua code.
-[[noreturn]] void raise(lua_State* lua, const std::string& text);
+/// Raises `text` as a Lua error with the place of the Lua function at this level, 1 from a C function.
+[[noreturn]] void raise(lua_State* lua, const std::string& text, int level = 1);
 
 /// Turns exceptions of a C++ function into Lua errors, so that they pass through Lua.
 template <int (*function)(lua_State*)>
