@@ -2,7 +2,6 @@
 // The holes of a blast as they were drilled and charged.
 
 #include <string>
-#include <vector>
 
 #include "blast/blast.h"
 

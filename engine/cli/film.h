@@ -2,8 +2,6 @@
 // Pictures for programs that do not animate SVG, by rsvg-convert and ffmpeg where they are installed.
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include "report/animation.h"
 

@@ -1,7 +1,6 @@
 #pragma once
 // The manifest of a plugin: its identity, its parameters and the fields that it reads.
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,9 +14,9 @@ namespace flyrock {
 enum class PluginKind { shape, population, restitution, friction, rolling, unilateral, velocity, terrain };
 inline constexpr int plugin_kinds = 8;
 std::string_view name_of(PluginKind kind);
+std::optional<PluginKind> plugin_kind(std::string_view name);
 /// Whether it is one of the four kinds of contact laws.
 bool is_law(PluginKind kind);
-std::optional<PluginKind> plugin_kind(std::string_view name);
 
 enum class ParamType {
   number,       ///< a real number with a unit; may be a distribution or a sweep

@@ -1,7 +1,6 @@
 #pragma once
 // Counter-based random numbers: a number depends on where it is used, not on what was drawn before.
 
-#include <array>
 #include <cstdint>
 #include <string_view>
 

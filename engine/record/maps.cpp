@@ -1,7 +1,6 @@
 #include "record/maps.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <stdexcept>

@@ -2,7 +2,6 @@
 // The ground of a 3D run and where its rocks ended, for the page.
 
 #include <nlohmann/json_fwd.hpp>
-#include <vector>
 
 #include "report/ground_pictures.h"
 

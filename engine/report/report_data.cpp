@@ -1,7 +1,6 @@
 #include "report/report_data.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "math/sphere.h"
 #include "report/convergence.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "report/azimuth_data.h"
 #include "report/comparison_data.h"

@@ -1,7 +1,6 @@
 #include "results/clearance.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace flyrock {

@@ -1,6 +1,5 @@
 #include "results/crossing_summary.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -4,7 +4,6 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <compare>
-#include <limits>
 #include <map>
 
 #include "results/lost.h"

@@ -1,7 +1,6 @@
 #pragma once
 // Compares the results with the expectations of the scenario.
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -3,7 +3,6 @@
 // same of draws of the model, which says what misfit a true model has.
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "results/energy_distance.h"

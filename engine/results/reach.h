@@ -1,7 +1,6 @@
 #pragma once
 // How far the launch speeds of a run reach at their best angle, for comparing models.
 
-#include <optional>
 #include <vector>
 
 #include "flight/shroud.h"

@@ -1,7 +1,6 @@
 #include "results/risk.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "trial/branch_of.h"

@@ -1,7 +1,6 @@
 #pragma once
 // A clearance by azimuth: the blasting area as a polygon in plan view.
 
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>

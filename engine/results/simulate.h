@@ -1,7 +1,6 @@
 #pragma once
 // Runs the trials of a scenario for what is compared with measurements, and keeps nothing else.
 
-#include <functional>
 #include <string>
 
 #include "batch/load.h"

@@ -1,8 +1,5 @@
 #include "results/statistics.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "results/unknown.h"
 
 namespace flyrock {

@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "scenario/decode_sections.h"
 #include "scenario/normalise_number.h"

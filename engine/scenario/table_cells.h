@@ -2,7 +2,6 @@
 // Columns of tables, described as parameters are: limits of their cells, and other heads.
 
 #include <map>
-#include <span>
 #include <string>
 #include <vector>
 

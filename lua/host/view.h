@@ -1,7 +1,6 @@
 #pragma once
 // Shows objects of the host to Lua code: read-only, without a copy, valid during one call.
 
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>

@@ -6,8 +6,6 @@
 // Not included: io, os, debug, package, load and similar functions, rawset, collectgarbage, string.dump,
 // math.random. Reading an undefined name is an error that says so.
 
-#include <string>
-
 struct lua_State;
 
 namespace flyrock {

@@ -2,6 +2,7 @@
 
 #include "results/energy_distance.h"
 
+#include <array>
 #include <boost/math/distributions/normal.hpp>
 #include <catch2/catch.hpp>
 #include <cmath>
