@@ -320,7 +320,6 @@ Partner TrialBuilder<D>::partner_of(const RockPlan<D>& plan, const TrialRock& ro
 
 #define FLYROCK_INSTANTIATE(D)                                                                      \
   template Air<D> TrialBuilder<D>::air_of(const Body<D>&, const DrawKey&) const;                    \
-  template const MadeBody<D>& TrialBuilder<D>::made_body(const RockPlan<D>&, const TrialRock&);     \
   template Place<D> TrialBuilder<D>::place_of(const RockPlan<D>&, const TrialRock&, const Body<D>&, \
                                               const Terrain&, RandomStream&) const;                 \
   template Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>&, TrialRock&, const Terrain&,       \

@@ -267,15 +267,12 @@ void World<D>::scale_by_island(double h) {
     problem_.contacts[a].speed_scale = island_speed_[islands_.of(a)];
 }
 
-#define FLYROCK_INSTANTIATE(D)                                                               \
-  template double World<D>::shape_speed(const Contact&) const;                               \
-  template double World<D>::mobility_of_shape(int) const;                                    \
-  template World<D>::Row World<D>::relative_velocity(const Contact&) const;                  \
-  template TouchingPart<D> World<D>::touching_part_of(const Contact&, int, FeatureId) const; \
-  template World<D>::Turning World<D>::turning_of(const Contact&, double, double) const;     \
-  template void World<D>::measure_before(double);                                            \
-  template void World<D>::assemble(double, bool);                                            \
-  template void World<D>::scale_by_island(double)
+#define FLYROCK_INSTANTIATE(D)                                              \
+  template double World<D>::shape_speed(const Contact&) const;              \
+  template double World<D>::mobility_of_shape(int) const;                   \
+  template World<D>::Row World<D>::relative_velocity(const Contact&) const; \
+  template void World<D>::measure_before(double);                           \
+  template void World<D>::assemble(double, bool)
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);
 #undef FLYROCK_INSTANTIATE

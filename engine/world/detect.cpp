@@ -255,21 +255,16 @@ void World<D>::measure_penetration() {
   quality_.max_penetration = std::max(quality_.max_penetration, deepest_overlap().depth);
 }
 
-#define FLYROCK_INSTANTIATE(D)                                                                     \
-  template double World<D>::contact_size(int, int) const;                                          \
-  template double World<D>::carry_reach(int, int) const;                                           \
-  template const std::vector<std::pair<int, int>>& World<D>::near_pairs(double);                   \
-  template const std::vector<std::pair<int, int>>& World<D>::close_pairs();                        \
-  template void World<D>::detect(double);                                                          \
-  template const World<D>::Contact* World<D>::carried_on(const Contact&, std::span<const Contact>, \
-                                                         std::span<const Contact>) const;          \
-  template void World<D>::match_last();                                                            \
-  template double World<D>::gap_of_solver(const Contact&) const;                                   \
-  template void World<D>::keep_closed(double);                                                     \
-  template double World<D>::reach_within(double, int, int) const;                                  \
-  template Placed<D> World<D>::placed(int, FeatureId, bool) const;                                 \
-  template double World<D>::gap_at(const Contact&, bool) const;                                    \
-  template World<D>::Overlap World<D>::deepest_overlap();                                          \
+#define FLYROCK_INSTANTIATE(D)                                                   \
+  template double World<D>::contact_size(int, int) const;                        \
+  template double World<D>::carry_reach(int, int) const;                         \
+  template double World<D>::reach_within(double, int, int) const;                \
+  template const std::vector<std::pair<int, int>>& World<D>::near_pairs(double); \
+  template void World<D>::detect(double);                                        \
+  template void World<D>::keep_closed(double);                                   \
+  template Placed<D> World<D>::placed(int, FeatureId, bool) const;               \
+  template double World<D>::gap_at(const Contact&, bool) const;                  \
+  template World<D>::Overlap World<D>::deepest_overlap();                        \
   template void World<D>::measure_penetration()
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);

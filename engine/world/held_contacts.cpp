@@ -159,8 +159,6 @@ std::optional<double> World<D>::first_return(double h) {
 
 #define FLYROCK_INSTANTIATE(D)                                     \
   template World<D>::Drift World<D>::keep_closed_at_start(double); \
-  template bool World<D>::has_rims(const Contact&) const;          \
-  template bool World<D>::is_deep(const Contact&, double, bool);   \
   template std::optional<double> World<D>::first_return(double);   \
   template HeldContacts World<D>::held_in_flight(int, int);        \
   template HeldContacts World<D>::held_in_step(int, int)

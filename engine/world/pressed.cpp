@@ -179,10 +179,6 @@ void World<D>::find_pressed() {
   pressed_.erase(std::unique(pressed_.begin(), pressed_.end()), pressed_.end());
 }
 
-template double World<2>::most_ratio_of_speeds() const;
-template double World<3>::most_ratio_of_speeds() const;
-template Vec<2> World<2>::driven_approach(std::size_t) const;
-template Vec<3> World<3>::driven_approach(std::size_t) const;
 template bool World<2>::throws();
 template bool World<3>::throws();
 template void World<2>::find_pressed();

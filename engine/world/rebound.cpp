@@ -305,18 +305,15 @@ Vec<D> World<D>::stretch_after(int a, double duration) const {
          (middle + settings_.theta * duration * tangential(after_[a]));
 }
 
-#define FLYROCK_INSTANTIATE(D)                                        \
-  template void World<D>::apply_laws(double);                         \
-  template void World<D>::apply_spring(int, double);                  \
-  template void World<D>::solve_and_apply();                          \
-  template World<D>::Row World<D>::velocity_after(int, double) const; \
-  template void World<D>::measure_after(double);                      \
-  template double World<D>::energy_of(int) const;                     \
-  template void World<D>::find_shocks(double);                        \
-  template void World<D>::record_impacts();                           \
-  template double World<D>::work_of_driven(int, double) const;        \
-  template void World<D>::audit_energy(double);                       \
-  template bool World<D>::stays_closed(int, double) const;            \
+#define FLYROCK_INSTANTIATE(D)                             \
+  template void World<D>::apply_laws(double);              \
+  template void World<D>::solve_and_apply();               \
+  template void World<D>::measure_after(double);           \
+  template double World<D>::energy_of(int) const;          \
+  template void World<D>::find_shocks(double);             \
+  template void World<D>::record_impacts();                \
+  template void World<D>::audit_energy(double);            \
+  template bool World<D>::stays_closed(int, double) const; \
   template Vec<D> World<D>::stretch_after(int, double) const
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);

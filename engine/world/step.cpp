@@ -387,10 +387,7 @@ bool World<D>::slips(const Contact& contact, int body) const {
   template void World<D>::forget_steps();                             \
   template World<D>::Outcome World<D>::step(double, bool, bool);      \
   template World<D>::Outcome World<D>::impact();                      \
-  template bool World<D>::collide_one_by_one();                       \
-  template bool World<D>::is_spring(Contact&);                        \
   template std::optional<double> World<D>::first_touch(double, bool); \
-  template void World<D>::project_drift(bool);                        \
   template World<D>::Outcome World<D>::keep(double, bool);            \
   template bool World<D>::slips(const Contact&, int) const
 FLYROCK_INSTANTIATE(2);

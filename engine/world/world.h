@@ -359,7 +359,4 @@ class World {
   std::vector<std::optional<double>> gaps_;  ///< gaps of the contacts whose drift is projected out
 };
 
-extern template class World<2>;
-extern template class World<3>;
-
 }  // namespace flyrock
