@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flight/vacuum.h"
 #include "math/polynomial.h"
 
 namespace flyrock {
@@ -46,6 +45,11 @@ Farthest farthest(const Forces<2>& forces, double speed, double height, double l
     }
   }
   return {0.5 * (low + high), std::max(range_a, range_b)};
+}
+
+double vacuum_envelope(double speed, double x, double gravity) {
+  const double squared = speed * speed;
+  return squared / (2 * gravity) - gravity * x * x / (2 * squared);
 }
 
 std::vector<Vec2> shroud(const Forces<2>& forces, double speed, double height, double longest, int points) {

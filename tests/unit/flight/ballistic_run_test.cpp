@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "flight/point_run.h"
-#include "flight/vacuum.h"
+#include "unit/flight/vacuum_range.h"
 
 using namespace flyrock;
 

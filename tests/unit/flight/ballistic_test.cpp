@@ -6,8 +6,8 @@
 #include <catch2/catch.hpp>
 
 #include "flight/shroud.h"
-#include "flight/vacuum.h"
 #include "random/stream.h"
+#include "unit/flight/vacuum_range.h"
 
 using namespace flyrock;
 
