@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "geometry/bound.h"
+#include "geometry/doubled_area.h"
 
 namespace flyrock {
 
@@ -22,13 +23,6 @@ std::vector<Vec2> edge_normals(const std::vector<Vec2>& points) {
   for (std::size_t i = 0; i < points.size(); ++i)
     normals.push_back(-perpendicular((points[(i + 1) % points.size()] - points[i]).normalized()));
   return normals;
-}
-
-double signed_area(const std::vector<Vec2>& points) {
-  double twice = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    twice += cross(Vec2(points[i] - points[0]), Vec2(points[(i + 1) % points.size()] - points[0]));
-  return twice / 2;
 }
 
 /// Area and its first and second moments about one origin; sums of these are exact. The polar moment is
@@ -152,8 +146,8 @@ std::string make_convex(std::vector<Vec2>& vertices) {
       return fmt::format("a polygon has the vertex ({:.6g}, {:.6g}) twice", vertices[i].x(), vertices[i].y());
     perimeter += length;
   }
-  if (std::abs(signed_area(vertices)) <= flat * perimeter * perimeter) return "the polygon has no area";
-  if (signed_area(vertices) < 0) std::reverse(vertices.begin(), vertices.end());
+  if (std::abs(doubled_area(vertices) / 2) <= flat * perimeter * perimeter) return "the polygon has no area";
+  if (doubled_area(vertices) < 0) std::reverse(vertices.begin(), vertices.end());
   double turned = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const Vec2& at = vertices[(i + 1) % count];

@@ -41,6 +41,14 @@ void MeshDraft::erase(const std::vector<bool>& gone) {
   if (!lines_.empty()) lines_.resize(kept);
 }
 
+void MeshDraft::drop(const std::vector<int>& dropped, std::string note) {
+  std::vector<bool> gone(mesh_.triangles.size(), false);
+  for (const int t : dropped) gone[t] = true;
+  notes_.push_back(std::move(note));
+  erase(gone);
+  mesh_ = welded(std::move(mesh_));
+}
+
 void MeshDraft::split_side(int t, int k, int vertex) {
   const std::array<int, 3> c = mesh_.triangles[t];
   mesh_.triangles[t][(k + 1) % 3] = vertex;

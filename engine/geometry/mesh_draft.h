@@ -2,7 +2,6 @@
 // A mesh while it is mended: its triangles with the lines of its file, and what was changed.
 
 #include <array>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +48,8 @@ class MeshDraft {
   std::string lines_of(const std::vector<int>& of) const;
   void add_triangle(const std::array<int, 3>& corners, int like);
   void erase(const std::vector<bool>& gone);
+  /// Takes triangles away, which the note says, and welds the rest.
+  void drop(const std::vector<int>& dropped, std::string note);
   /// Splits triangle t at a vertex on its side k. The new triangle comes last.
   void split_side(int t, int k, int vertex);
 
@@ -66,7 +67,6 @@ class MeshDraft {
   std::vector<bool> upright_triangles() const;
   /// Whether the triangle of a side is above it: the rest meets it from below.
   bool is_below_rest(const MeshSide& side) const;
-  void drop_skirts_of(const std::function<bool(int)>& is_skirt);
 
   static bool looks_down(const MeshPieces& pieces, const std::vector<Vec3>& area, int piece);
   std::vector<MeshFault> faults_at_edges() const;

@@ -21,6 +21,16 @@ struct MeshSide {
 /// All sides of all triangles; those of one edge follow each other, in the order of their triangles.
 std::vector<MeshSide> sorted_sides(const std::vector<std::array<int, 3>>& triangles);
 
+/// Calls use(begin, end) with the sides of each edge.
+template <class Use>
+void for_edges(const std::vector<MeshSide>& sides, Use use) {
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+    for (end = i; end < sides.size() && sides[end].same_edge(sides[i]); ++end) {
+    }
+    use(i, end);
+  }
+}
+
 /// neighbours[t][k]: the triangle across side k of triangle t; -1 at the border. An edge of more than two
 /// triangles pairs the first two of them; see mesh_fault.h.
 std::vector<std::array<int, 3>> neighbours_of(const std::vector<std::array<int, 3>>& triangles,

@@ -103,12 +103,9 @@ class Checks {
   std::string crowded_edges() const {
     std::size_t count = 0;
     std::string first;
-    for (std::size_t i = 0; i + 2 < sides_.size();) {
-      std::size_t end = i + 1;
-      while (end < sides_.size() && sides_[end].same_edge(sides_[i])) ++end;
-      if (end - i > 2 && count++ == 0) first = crowded_text(i, end);
-      i = end;
-    }
+    for_edges(sides_, [&](std::size_t begin, std::size_t end) {
+      if (end - begin > 2 && count++ == 0) first = crowded_text(begin, end);
+    });
     return first + more_text(count);
   }
 
@@ -130,14 +127,11 @@ class Checks {
     }
     if (count == 0) return {};
     const MeshSide& other = *(first + 1);
-    const std::string lines =
-        lines_.empty() ? ""
-                       : fmt::format(" (lines {} and {})", lines_[first->triangle], lines_[other.triangle]);
     const std::string more = count == 1 ? "" : fmt::format(", and so at {} other edges", count - 1);
     return fmt::format(
         "the two triangles at the edge {}{} face opposite ways{}; expected the corners of all "
         "triangles counter-clockwise, seen from outside of the ground",
-        edge_text(*first), lines, more);
+        edge_text(*first), lines_text(lines_, first->triangle, other.triangle), more);
   }
 
   /// The faults of pieces: each that faces down, and all holes together.

@@ -1,7 +1,8 @@
 #include "geometry/mesh_ground.h"
 
 #include <algorithm>
-#include <limits>
+
+#include "geometry/mesh_edges.h"
 
 namespace flyrock {
 
@@ -72,38 +73,23 @@ void MeshGround::measure() {
 
 /// Sorts the rims by their two vertices. Two rims with the same vertices are one edge.
 void MeshGround::find_neighbours() {
-  struct Side {
-    std::uint64_t edge;  ///< both vertices, the lower one first
-    std::uint32_t facet;
-    int rim;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh_.triangles.size());
-  for (std::uint32_t f = 0; f < mesh_.triangles.size(); ++f)
-    for (int i = 0; i < 3; ++i) {
-      const auto start = static_cast<std::uint64_t>(mesh_.triangles[f][i]),
-                 end = static_cast<std::uint64_t>(mesh_.triangles[f][Facet::next(i)]);
-      const std::uint64_t low = std::min(start, end), high = std::max(start, end);
-      sides.push_back({low << 32 | high, f, i});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::pair(a.edge, a.facet) < std::pair(b.edge, b.facet);
-  });
+  const std::vector<MeshSide> sides = sorted_sides(mesh_.triangles);
   const double noise =
       8e-16 * std::max(extent_.low.cwiseAbs().maxCoeff(), extent_.high.cwiseAbs().maxCoeff());
   around_.resize(mesh_.triangles.size());
-  for (const Side& side : sides)
-    around_[side.facet].edge[side.rim] = 3 * std::uint64_t{side.facet} + side.rim;
+  for (const MeshSide& s : sides) around_[s.triangle].edge[s.side] = 3 * std::uint64_t(s.triangle) + s.side;
   for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
-    const Side &a = sides[k], &b = sides[k + 1];
-    if (a.edge != b.edge) continue;
-    const auto corner = [&](const Side& s, int i) { return mesh_.vertices[mesh_.triangles[s.facet][i % 3]]; };
-    const Rim rim = rim_between(normal_[a.facet], corner(a, a.rim + 2), normal_[b.facet],
-                                corner(b, b.rim + 2), corner(a, a.rim), noise);
-    around_[a.facet].facet[a.rim] = b.facet;
-    around_[b.facet].facet[b.rim] = a.facet;
-    around_[a.facet].rim[a.rim] = around_[b.facet].rim[b.rim] = rim;
-    around_[b.facet].edge[b.rim] = around_[a.facet].edge[a.rim];
+    const MeshSide &a = sides[k], &b = sides[k + 1];
+    if (!a.same_edge(b)) continue;
+    const auto corner = [&](const MeshSide& s, int i) {
+      return mesh_.vertices[mesh_.triangles[s.triangle][i % 3]];
+    };
+    const Rim rim = rim_between(normal_[a.triangle], corner(a, a.side + 2), normal_[b.triangle],
+                                corner(b, b.side + 2), corner(a, a.side), noise);
+    around_[a.triangle].facet[a.side] = b.triangle;
+    around_[b.triangle].facet[b.side] = a.triangle;
+    around_[a.triangle].rim[a.side] = around_[b.triangle].rim[b.side] = rim;
+    around_[b.triangle].edge[b.side] = around_[a.triangle].edge[a.side];
   }
 }
 

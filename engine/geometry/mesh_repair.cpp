@@ -15,13 +15,11 @@ void MeshDraft::keep_largest() {
   std::vector<double> surface(pieces.count(), 0);
   for (int t = 0; t < triangles(); ++t) surface[pieces.of[t]] += twice_area(t).norm();
   const int largest = static_cast<int>(std::max_element(surface.begin(), surface.end()) - surface.begin());
-  std::vector<bool> gone(mesh_.triangles.size());
-  for (int t = 0; t < triangles(); ++t) gone[t] = pieces.of[t] != largest;
-  const auto dropped = static_cast<std::size_t>(std::count(gone.begin(), gone.end(), true));
-  notes_.push_back(fmt::format("kept the largest of {} pieces and left out {}", pieces.count(),
-                               counted(dropped, "triangle", "triangles")));
-  erase(gone);
-  mesh_ = welded(std::move(mesh_));
+  std::vector<int> others;
+  for (int t = 0; t < triangles(); ++t)
+    if (pieces.of[t] != largest) others.push_back(t);
+  drop(others, fmt::format("kept the largest of {} pieces and left out {}", pieces.count(),
+                           counted(others.size(), "triangle", "triangles")));
 }
 
 /// Pieces that look down. One that looks sideways is left to the faults: up may be another axis.

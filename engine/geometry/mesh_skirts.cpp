@@ -38,16 +38,6 @@ class Strips {
   std::vector<bool> holds_;        ///< has a low edge that the rest meets: it is a face
 };
 
-/// Calls use(begin, end) with the sides of each edge.
-template <class Use>
-void for_edges(const std::vector<MeshSide>& sides, Use use) {
-  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
-    for (end = i; end < sides.size() && sides[end].same_edge(sides[i]); ++end) {
-    }
-    use(i, end);
-  }
-}
-
 }  // namespace
 
 void MeshDraft::drop_skirts() {
@@ -70,7 +60,12 @@ void MeshDraft::drop_skirts() {
       if (is_below_rest(sides[i])) strips.set_holds(sides[i].triangle);
     }
   });
-  drop_skirts_of([&](int t) { return strips.is_skirt(t); });
+  std::vector<int> skirts;
+  for (int t = 0; t < triangles(); ++t)
+    if (strips.is_skirt(t)) skirts.push_back(t);
+  if (skirts.empty()) return;
+  drop(skirts, fmt::format("dropped skirts of {} that hang from the edges of tiles{}",
+                           counted(skirts.size(), "triangle", "triangles"), lines_of(skirts)));
 }
 
 std::vector<bool> MeshDraft::upright_triangles() const {
@@ -86,21 +81,6 @@ bool MeshDraft::is_below_rest(const MeshSide& side) const {
   const std::array<int, 3>& corners = mesh_.triangles[side.triangle];
   const int third = corners[0] + corners[1] + corners[2] - side.low - side.high;
   return at(third).z() > std::max(at(side.low).z(), at(side.high).z());
-}
-
-void MeshDraft::drop_skirts_of(const std::function<bool(int)>& is_skirt) {
-  std::vector<bool> gone(mesh_.triangles.size(), false);
-  std::vector<int> dropped;
-  for (int t = 0; t < triangles(); ++t) {
-    if (!is_skirt(t)) continue;
-    gone[t] = true;
-    dropped.push_back(t);
-  }
-  if (dropped.empty()) return;
-  notes_.push_back(fmt::format("dropped skirts of {} that hang from the edges of tiles{}",
-                               counted(dropped.size(), "triangle", "triangles"), lines_of(dropped)));
-  erase(gone);
-  mesh_ = welded(std::move(mesh_));
 }
 
 }  // namespace flyrock

@@ -19,24 +19,19 @@ void MeshDraft::drop_twins() {
   std::vector<int> order(mesh_.triangles.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return corners(a) < corners(b); });
-  std::vector<bool> gone(mesh_.triangles.size(), false);
   std::vector<int> dropped;
   for (std::size_t i = 0, end = 0; i < order.size(); i = end) {
     int kept = order[i];
     for (end = i + 1; end < order.size() && corners(order[end]) == corners(order[i]); ++end) {
       int other = order[end];
       if (twice_area(other).z() > twice_area(kept).z()) std::swap(kept, other);
-      gone[other] = true;
       dropped.push_back(other);
     }
   }
   if (dropped.empty()) return;
   std::sort(dropped.begin(), dropped.end());
-  notes_.push_back(fmt::format("dropped {} with the corners of another one{}",
-                               counted(dropped.size(), "triangle", "triangles"), lines_of(dropped)));
-  erase(gone);
-  join_equal_places(mesh_);
-  mesh_ = welded(std::move(mesh_));
+  drop(dropped, fmt::format("dropped {} with the corners of another one{}",
+                            counted(dropped.size(), "triangle", "triangles"), lines_of(dropped)));
 }
 
 }  // namespace flyrock
