@@ -35,16 +35,14 @@ std::vector<Vec2> counter_clockwise(const Ground2& outline) {
   std::vector<Vec2> points;
   for (int i = outline.segments() - 1; i > 0; --i)  // point 0 is in the middle of a segment
     points.push_back(outline.point(i));
-  Vec2 low = points.front(), high = low;
   double twice_area = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec2& next = points[(i + 1) % points.size()];
-    low = low.cwiseMin(next), high = high.cwiseMax(next);
     twice_area += points[i].x() * next.y() - points[i].y() * next.x();
   }
   if (twice_area > 0) return points;
-  const Vec2 grow = Vec2::Constant(frame * (high - low).norm());
-  low -= grow, high += grow;
+  const Box2 box = Box2::around(points);
+  const auto [low, high] = box.grown(frame * box.size().norm());
   points.push_back(points.front());
   points.insert(points.end(), {low, {high.x(), low.y()}, high, {low.x(), high.y()}, low});
   return points;

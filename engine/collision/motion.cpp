@@ -97,9 +97,7 @@ Box<D> swept_box(const Path<D>& path, double r, double t) {
     box.low[k] = std::min(box.low[k], extreme);
     box.high[k] = std::max(box.high[k], extreme);
   }
-  box.low.array() -= r;
-  box.high.array() += r;
-  return box;
+  return box.grown(r);
 }
 
 template <int D>

@@ -20,10 +20,7 @@ typename PartTree<D>::Ball ball_about(const typename Geometry<D>::Contactor& con
     for (const Contactor3::Circle& circle : contactor.circles)
       balls.emplace_back(circle.centre, circle.radius);
   Box<D> box{balls.front().first, balls.front().first};
-  for (const auto& [centre, radius] : balls) {
-    box.low = box.low.cwiseMin(centre);
-    box.high = box.high.cwiseMax(centre);
-  }
+  for (const auto& [centre, radius] : balls) box.add(centre);
   typename PartTree<D>::Ball about{0.5 * (box.low + box.high), 0};
   for (const auto& [centre, radius] : balls)
     about.radius = std::max(about.radius, (centre - about.centre).norm() + radius);
@@ -74,12 +71,9 @@ PartTree<D>::PartTree(const std::vector<typename Geometry<D>::Contactor>& parts)
       return;
     }
     Box<D> box{balls[some[0]].centre, balls[some[0]].centre};
-    for (const int i : some) {
-      box.low = box.low.cwiseMin(balls[i].centre);
-      box.high = box.high.cwiseMax(balls[i].centre);
-    }
+    for (const int i : some) box.add(balls[i].centre);
     int longest = 0;
-    (box.high - box.low).maxCoeff(&longest);
+    box.size().maxCoeff(&longest);
     std::sort(some.begin(), some.end(), [&](int i, int j) {
       return std::pair(balls[i].centre[longest], i) < std::pair(balls[j].centre[longest], j);
     });

@@ -71,10 +71,7 @@ template <int D>
 Box<D> box_of_points(const Placed<D>& placed) {
   const Vec<D> first = placed.point(0);
   Box<D> box{first, first};
-  for (int i = 1; i < placed.count(); ++i) {
-    const Vec<D> point = placed.point(i);
-    box = {box.low.cwiseMin(point), box.high.cwiseMax(point)};
-  }
+  for (int i = 1; i < placed.count(); ++i) box.add(placed.point(i));
   return box;
 }
 /// The box of the core, without its radius. A half space is everywhere.

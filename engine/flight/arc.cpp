@@ -43,8 +43,7 @@ std::optional<double> touch(const Arc<3>& arc, const Facet& facet) {
 /// The first touch within [from, to] of s. The arc is halved until few facets are near a part of it.
 std::optional<double> first_touch(const Arc<3>& arc, const Ground3& ground, double from, double to) {
   constexpr int few = 16;
-  const Eigen::AlignedBox3d bounds = arc.part(from, to).box();
-  const Box3 box{bounds.min(), bounds.max()};
+  const Box3 box = arc.part(from, to).box();
   const int met = ground.count(box, few + 1);
   if (met == 0) return std::nullopt;
   if (met > few && to - from > 1e-6) {
@@ -93,15 +92,15 @@ Arc<D> Arc<D>::part(double from, double to) const {
 }
 
 template <int D>
-Eigen::AlignedBox<double, D> Arc<D>::box() const {
+Box<D> Arc<D>::box() const {
   // Control points b_i = sum over k <= i of C(i, k) / C(5, k) c_k.
   constexpr double share[6][6] = {
       {1}, {1, 0.2}, {1, 0.4, 0.1}, {1, 0.6, 0.3, 0.1}, {1, 0.8, 0.6, 0.4, 0.2}, {1, 1, 1, 1, 1, 1}};
-  Eigen::AlignedBox<double, D> box;
-  for (int i = 0; i <= 5; ++i) {
+  Box<D> box{c[0], c[0]};
+  for (int i = 1; i <= 5; ++i) {
     Vec<D> point = Vec<D>::Zero();
     for (int k = 0; k <= i; ++k) point += share[i][k] * c[k];
-    box.extend(point);
+    box.add(point);
   }
   return box;
 }
@@ -120,15 +119,15 @@ Arc<D> arc_between(double start, double length, const FlightState<D>& from, cons
 }
 
 std::optional<double> first_touch(const Arc<2>& arc, const Profile& ground) {
-  const Eigen::AlignedBox2d box = arc.box();
+  const Box2 box = arc.box();
   const auto& points = ground.points;
-  auto i = std::lower_bound(points.begin(), points.end(), box.min().x(),
+  auto i = std::lower_bound(points.begin(), points.end(), box.low.x(),
                             [](const Vec2& point, double x) { return point.x() < x; });
   if (i != points.begin()) --i;
   std::optional<double> first;
-  for (; i + 1 < points.end() && i->x() <= box.max().x(); ++i) {
+  for (; i + 1 < points.end() && i->x() <= box.high.x(); ++i) {
     const Vec2 &a = *i, &b = *(i + 1);
-    if (std::max(a.y(), b.y()) < box.min().y()) continue;
+    if (std::max(a.y(), b.y()) < box.low.y()) continue;
     const Vec2 normal = perpendicular(b - a).normalized();
     Coefficients height = arc.along(normal);
     height[0] = normal.dot(arc.c[0] - a);

@@ -55,7 +55,7 @@ struct Arc {
   Arc part(double from, double to) const;
   /// A box with sides along the axes that contains the whole arc (the box of its control points as a Bezier
   /// curve).
-  Eigen::AlignedBox<double, D> box() const;
+  Box<D> box() const;
 };
 
 /// The arc in plan, as polynomials of s.

@@ -162,8 +162,8 @@ double exit_of(const Parabola<2>& path, const Terrain2& terrain) {
 }
 
 Touch first_of(const Arc<2>& arc, const Terrain2& terrain, double end) {
-  const Eigen::AlignedBox2d box = arc.part(0, end).box();
-  const auto run = terrain.segments_between(box.min().x() - face_reach, box.max().x() + face_reach);
+  const Box2 box = arc.part(0, end).box();
+  const auto run = terrain.segments_between(box.low.x() - face_reach, box.high.x() + face_reach);
   Touch first;
   for (int i = std::max(1, run.first); i <= std::min(run.last, terrain.segments() - 2); ++i)
     if (const double s = touch(arc, terrain, i, std::min(end, first.s)); s < first.s) first = {s, i};
@@ -172,8 +172,7 @@ Touch first_of(const Arc<2>& arc, const Terrain2& terrain, double end) {
 
 /// A box that contains the curve over [from, to] of s, with face_reach to spare.
 Box3 box_over(const Arc<3>& arc, double from, double to) {
-  const Eigen::AlignedBox3d bounds = arc.part(from, to).box();
-  return {bounds.min().array() - face_reach, bounds.max().array() + face_reach};
+  return arc.part(from, to).box().grown(face_reach);
 }
 Box3 box_over(const Parabola<3>& path, double from, double to) {
   return swept_box(Path<3>{path.position(from), path.velocity(from), path.a}, face_reach, to - from);

@@ -40,10 +40,10 @@ double path_length(const Arc<D>& arc, double end) {
 /// a corner of the ground, and where the path is parallel to the ground.
 template <class Look>
 void visit_highest(const Arc<2>& arc, const Profile& ground, double end, Look look) {
-  const Eigen::AlignedBox2d box = arc.box();
+  const Box2 box = arc.box();
   for (int i = 0; i < ground.segments(); ++i) {
     const Vec2 &a = ground.points[i], &b = ground.points[i + 1];
-    if (b.x() < box.min().x() || a.x() > box.max().x()) continue;
+    if (b.x() < box.low.x() || a.x() > box.high.x()) continue;
     for (const double side : {-1.0, 1.0})
       if (const auto s = first_arrival(arc, b.x(), side, end)) look(*s);
     if (const auto s = first_fall(arc.rate_along(perpendicular(b - a)), 0, end)) look(*s);

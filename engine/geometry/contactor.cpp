@@ -105,8 +105,7 @@ Contactor2 Contactor2::hollow_disk(double radius, double outer) {
 }
 
 Contactor2 Contactor2::outline(const std::vector<Vec2>& points) {
-  Vec2 low = points.front(), high = low;
-  for (const Vec2& point : points) low = low.cwiseMin(point), high = high.cwiseMax(point);
+  const auto [low, high] = Box2::around(points);
   return {.form = Form::outline,
           .points = {low, {high.x(), low.y()}, high, {low.x(), high.y()}},
           .normals = {},

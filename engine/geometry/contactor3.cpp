@@ -185,11 +185,10 @@ Contactor3 Contactor3::polyhedron(std::vector<Vec3> points, const std::vector<st
   shape.points = std::move(points);
   add_faces(shape, faces);
   add_edges(shape);
-  Vec3 low = shape.points[0], high = low;
-  for (const Vec3& p : shape.points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const double size = Box3::around(shape.points).size().norm();
   for (const Face& face : shape.faces)
     for (const Vec3& p : shape.points)
-      if (face.normal.dot(p - shape.points[shape.vertex(face, 0)]) > flat_share * (high - low).norm())
+      if (face.normal.dot(p - shape.points[shape.vertex(face, 0)]) > flat_share * size)
         throw std::invalid_argument("a polyhedron is not convex");
   shape.bound = bound_of(shape.points, 0);
   return shape;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "geometry/box.h"
 #include "math/polynomial.h"
 
 namespace flyrock {
@@ -55,17 +56,16 @@ std::optional<double> first_touch(const SpacePath& path, double end, double radi
 
 Forest::Forest(std::vector<Stem> stems) : stems_(std::move(stems)) {
   if (stems_.empty()) return;
-  Vec2 low = stems_.front().place, high = low;
+  Box2 box = Box2::empty();
   for (const Stem& stem : stems_) {
-    low = low.cwiseMin(stem.place);
-    high = high.cwiseMax(stem.place);
+    box.add(stem.place);
     greatest_radius_ = std::max(greatest_radius_, stem.radius);
   }
-  const Vec2 size = high - low;
+  const Vec2 size = box.size();
   const double count = static_cast<double>(stems_.size());
   // About two stems a cell; along a line of stems, as many cells as stems.
   cell_ = std::max({std::sqrt(2 * size.x() * size.y() / count), size.maxCoeff() / count, 1.0});
-  corner_ = low;
+  corner_ = box.low;
   columns_ = 1 + static_cast<int>(size.x() / cell_);
   rows_ = 1 + static_cast<int>(size.y() / cell_);
   const auto cell_of = [&](const Stem& stem) {

@@ -56,8 +56,7 @@ void Ground2::measure() {
     if (bend < -flat_angle) corner_[i] = Corner::convex;
     if (bend > flat_angle) corner_[i] = Corner::concave;
   }
-  extent_ = {points_[0], points_[0]};
-  for (const Vec2& p : points_) extent_ = {extent_.low.cwiseMin(p), extent_.high.cwiseMax(p)};
+  extent_ = Box2::around(points_);
 }
 
 double Ground2::top(double x, int near) const {

@@ -31,8 +31,7 @@ std::vector<MeshBorder> borders_of(const Mesh& mesh, const std::vector<std::arra
         visited[triangle][side] = true;
         const int vertex = mesh.triangles[triangle][side];
         border.vertices.push_back(vertex);
-        border.low = border.low.cwiseMin(mesh.vertices[vertex]);
-        border.high = border.high.cwiseMax(mesh.vertices[vertex]);
+        border.box.add(mesh.vertices[vertex]);
         go_on(mesh, across, triangle, side);
       }
       borders.push_back(std::move(border));

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "geometry/box.h"
 #include "geometry/mesh.h"
 
 namespace flyrock {
@@ -11,11 +12,11 @@ namespace flyrock {
 struct MeshBorder {
   std::vector<int> vertices;  ///< in the order of the triangles along it
   int triangle = 0;           ///< one of these
-  Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
+  Box3 box = Box3::empty();
 
   int edges() const { return static_cast<int>(vertices.size()); }
   /// The diagonal of its box [m].
-  double size() const { return (high - low).norm(); }
+  double size() const { return box.size().norm(); }
 };
 
 /// All borders of a mesh without faults at its edges (mesh_fault.h), in the order of their first triangles.

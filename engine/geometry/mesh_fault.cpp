@@ -188,7 +188,7 @@ class Checks {
     const std::string more = holes_.size() == 1 ? "" : fmt::format(", and {} more", holes_.size() - 1);
     return fmt::format(
         "the mesh has a hole of {} edges from {} to {}{}; expected ground without holes inside", hole.edges(),
-        place_text(hole.low), place_text(hole.high), more);
+        place_text(hole.box.low), place_text(hole.box.high), more);
   }
 
   const Mesh& mesh_;

@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "geometry/box.h"
 #include "geometry/mesh_edges.h"
 #include "geometry/place_text.h"
 #include "geometry/plan_cells_of.h"
@@ -258,12 +259,7 @@ class Gaps {
 
 double gap_reach(const Mesh& mesh) {
   if (mesh.vertices.empty()) return 0;
-  Vec3 low = mesh.vertices.front(), high = low;
-  for (const Vec3& vertex : mesh.vertices) {
-    low = low.cwiseMin(vertex);
-    high = high.cwiseMax(vertex);
-  }
-  return std::max(1e-4 * (high - low).maxCoeff(), 0.02);
+  return std::max(1e-4 * Box3::around(mesh.vertices).size().maxCoeff(), 0.02);
 }
 
 std::vector<MeshFault> gap_faults(const Mesh& mesh, const std::vector<int>& lines) {

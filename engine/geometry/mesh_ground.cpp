@@ -53,11 +53,7 @@ MeshGround::MeshGround(Mesh mesh) : Ground3(mesh.parts), mesh_(std::move(mesh)) 
 }
 
 void MeshGround::measure() {
-  extent_ = {mesh_.vertices.front(), mesh_.vertices.front()};
-  for (const Vec3& v : mesh_.vertices) {
-    extent_.low = extent_.low.cwiseMin(v);
-    extent_.high = extent_.high.cwiseMax(v);
-  }
+  extent_ = Box3::around(mesh_.vertices);
   double in_plan = 0;  // area; facets that face down count negative
   for (const auto& [a, b, c] : mesh_.triangles) {
     const Vec3& start = mesh_.vertices[a];
@@ -67,7 +63,7 @@ void MeshGround::measure() {
     overhangs_ = overhangs_ || twice_area.z() < 0;
   }
   cell_ = median_edge(mesh_);
-  const Vec3 size = extent_.high - extent_.low;
+  const Vec3 size = extent_.size();
   whole_ = in_plan >= (1 - 1e-9) * size.x() * size.y();
 }
 
@@ -131,15 +127,15 @@ void MeshGround::split(std::uint32_t first, std::uint32_t count) {
   Box3 centres{twice_centre(order_[first]), twice_centre(order_[first])};
   for (std::uint32_t i = first; i < first + count; ++i) {
     const Box3 b = box_of(order_[i]);
-    box = {box.low.cwiseMin(b.low), box.high.cwiseMax(b.high)};
-    centres = {centres.low.cwiseMin(b.low + b.high), centres.high.cwiseMax(b.low + b.high)};
+    box.add(b);
+    centres.add(b.low + b.high);
   }
   if (count <= leaf_size) {
     nodes_[node].first = first;
     nodes_[node].count = count;
   } else {
     int axis = 0;
-    (centres.high - centres.low).maxCoeff(&axis);
+    centres.size().maxCoeff(&axis);
     const std::uint32_t half = count / 2;
     std::nth_element(order_.begin() + first, order_.begin() + first + half, order_.begin() + first + count,
                      [&](std::uint32_t a, std::uint32_t b) {

@@ -1,8 +1,9 @@
 #include "geometry/plan_hull.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+
+#include "geometry/box.h"
 
 namespace flyrock {
 
@@ -45,17 +46,16 @@ std::vector<Vec2> plan_hull(std::vector<Vec2> points) {
 
 Vec2 centroid_of(const std::vector<Vec2>& hull) {
   if (hull.empty()) return Vec2::Zero();
-  Vec2 low = hull.front(), high = hull.front(), moment = Vec2::Zero();
+  Vec2 moment = Vec2::Zero();
   double area2 = 0;  // twice the area
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2 a = hull[i] - hull[0], b = hull[(i + 1) % hull.size()] - hull[0];
     area2 += cross(a, b);
     moment += cross(a, b) * (a + b) / 3;
-    low = low.cwiseMin(hull[i]);
-    high = high.cwiseMax(hull[i]);
   }
+  const Box2 box = Box2::around(hull);
   constexpr double thin = 1e-9;  // area / length^2, below which the hull is a line up to rounding
-  if (area2 <= thin * (high - low).squaredNorm()) return 0.5 * (low + high);
+  if (area2 <= thin * box.size().squaredNorm()) return 0.5 * (box.low + box.high);
   return hull[0] + moment / area2;
 }
 

@@ -5,27 +5,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/box.h"
 #include "geometry/place_text.h"
 
 namespace flyrock {
 
 namespace {
 
-struct Extent {
-  Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
-
-  void add(const Vec3& place) {
-    low = low.cwiseMin(place);
-    high = high.cwiseMax(place);
-  }
-};
-
 Vec3 place_of(const HeightGrid& grid, int column, int row) {
   return {grid.corner.x() + grid.cell * column, grid.corner.y() + grid.cell * row, grid.at(column, row)};
 }
 
-Extent extent_of(const TerrainShape3& shape) {
-  Extent extent;
+Box3 extent_of(const TerrainShape3& shape) {
+  Box3 extent = Box3::empty();
   if (const Mesh* mesh = std::get_if<Mesh>(&shape)) {
     for (const Vec3& vertex : mesh->vertices) extent.add(vertex);
   } else if (const HeightGrid* grid = std::get_if<HeightGrid>(&shape)) {
@@ -173,7 +165,7 @@ Vec3 automatic_origin(const TerrainShape3& shape) {
   constexpr double far = 1e4, round = 100;
   Vec3 origin = Vec3::Zero();
   if (std::holds_alternative<Plane>(shape)) return origin;
-  const Extent extent = extent_of(shape);
+  const Box3 extent = extent_of(shape);
   for (int k = 0; k < 3; ++k)
     if (std::max(std::abs(extent.low[k]), std::abs(extent.high[k])) > far)
       origin[k] = std::floor(extent.low[k] / round) * round;
@@ -198,7 +190,7 @@ TerrainShape3 counted_from(TerrainShape3 shape, const Vec3& origin) {
 }
 
 std::string reach_fault(const TerrainShape3& shape, const Vec3& origin, double most) {
-  const Extent extent = extent_of(shape);
+  const Box3 extent = extent_of(shape);
   for (const Vec3& corner : {extent.low, extent.high})
     if (corner.cwiseAbs().maxCoeff() > most)
       return fmt::format("reaches to {}, more than {:.6g} km from the origin {}",

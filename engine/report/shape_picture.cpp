@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "geometry/box.h"
 #include "math/round_step.h"
 #include "report/html.h"
 #include "report/rock_view.h"
@@ -15,14 +16,10 @@ constexpr double cell = 180, drawn = 130, foot = 44;  // pixels: of one rock, of
 /// A rock in the cell that begins at `x0` [pixels].
 std::string drawing(const PicturedRock& rock, const PictureView& view, double x0) {
   const std::vector<Piece> pieces = pieces_of(rock.corners, view);
-  Vec2 low = Vec2::Constant(1e300), high = -low;
-  for (const Piece& piece : pieces)
-    for (const Vec2& place : piece.outline) {
-      low = low.cwiseMin((place.array() - piece.radius).matrix());
-      high = high.cwiseMax((place.array() + piece.radius).matrix());
-    }
-  const double scale = drawn / (high - low).maxCoeff();
-  const Vec2 middle = (low + high) / 2;
+  Box2 box = Box2::empty();
+  for (const Piece& piece : pieces) box.add(Box2::around(piece.outline).grown(piece.radius));
+  const double size = box.size().maxCoeff(), scale = drawn / size;
+  const Vec2 middle = (box.low + box.high) / 2;
   const auto x = [&](const Vec2& place) { return x0 + cell / 2 + scale * (place.x() - middle.x()); };
   const auto y = [&](const Vec2& place) { return cell / 2 - scale * (place.y() - middle.y()); };
   std::string out;
@@ -46,7 +43,7 @@ std::string drawing(const PicturedRock& rock, const PictureView& view, double x0
           points, fill, edge ? "#444" : fill, width);
     }
   }
-  const double length = round_step((high - low).maxCoeff() / 4), from = x0 + (cell - scale * length) / 2;
+  const double length = round_step(size / 4), from = x0 + (cell - scale * length) / 2;
   out += fmt::format("<path d=\"M{:.1f} {:.1f}h{:.1f}\" stroke=\"#444\" stroke-width=\"3\"/>\n", from,
                      cell + 4, scale * length);
   for (const auto& [row, text] : {std::pair(18.0, fmt::format("{:g} m", length)), std::pair(36.0, rock.name)})

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/box.h"
 #include "math/round_step.h"
 
 namespace flyrock {
@@ -17,21 +18,21 @@ constexpr double frames_a_second = 25;
 Stage::Stage(const std::vector<Actor>& actors, int dimension) : view(view_of(dimension)) {
   double last = 0;
   first_ = actors.front().path.moments.front().time;
-  Vec2 low = Vec2::Constant(1e300), high = -low;
+  Box2 box = Box2::empty();
   for (const Actor& actor : actors)
     for (const StoredMoment& moment : actor.path.moments) {
       first_ = std::min(first_, moment.time);
       last = std::max(last, moment.time);
-      low = low.cwiseMin((view(moment.place).array() - actor.extent).matrix());
-      high = high.cwiseMax((view(moment.place).array() + actor.extent).matrix());
+      const Vec2 place = view(moment.place);
+      box.add(Box2{place, place}.grown(actor.extent));
     }
   length_ = std::max(last - first_, 1e-12);
   shown = std::clamp(length_, 4.0, 12.0);
   for (int i = 0, n = static_cast<int>(frames_a_second * shown); i <= n; ++i)
     times.push_back(first_ + length_ * i / n);
-  const Vec2 room = (high - low) * margin + Vec2::Constant(1e-9);
-  low_ = low - room;
-  const Vec2 size = high - low + 2 * room;
+  const Vec2 room = box.size() * margin + Vec2::Constant(1e-9);
+  low_ = box.low - room;
+  const Vec2 size = box.size() + 2 * room;
   scale = std::min(most_wide / size.x(), most_high / size.y());
   width = std::max(240.0, scale * size.x());
   height = std::max(80.0, scale * size.y());

@@ -244,10 +244,7 @@ void write_fclib(const std::string& name, const ContactProblem<D>& problem,
   for (int a = 0; a < problem.size(); ++a) {
     add(a, a, problem.contacts[a].w);
     for (int k = problem.first[a]; k < problem.first[a + 1]; ++k)
-      if (width == D)
-        add(a, problem.other(k), problem.template block<D>(k));
-      else
-        add(a, problem.other(k), problem.template block<ContactProblem<D>::rows>(k));
+      add(a, problem.other(k), problem.full_block(k));
   }
   Sparse w(size, size);
   w.setFromTriplets(entries.begin(), entries.end());

@@ -20,12 +20,8 @@ Box2 box_of(const Scenario& scenario, const Ground3& ground) {
     if (zone.name != name || (zone.polygon.empty() && zone.outlines.empty())) continue;
     const std::vector<std::vector<Vec2>> outlines =
         zone.polygon.empty() ? zone.outlines : std::vector<std::vector<Vec2>>{zone.polygon};
-    Box2 box{outlines.front().front(), outlines.front().front()};
-    for (const std::vector<Vec2>& outline : outlines)
-      for (const Vec2& corner : outline) {
-        box.low = box.low.cwiseMin(corner);
-        box.high = box.high.cwiseMax(corner);
-      }
+    Box2 box = Box2::empty();
+    for (const std::vector<Vec2>& outline : outlines) box.add(Box2::around(outline));
     const Vec2 origin = scenario.terrain.origin.head<2>();
     return {box.low - origin, box.high - origin};
   }
@@ -42,7 +38,7 @@ std::vector<Stem> drawn(const Scenario& scenario, const Ground3& ground) {
   const ForestPlan& plan = *scenario.forest;
   if (plan.density == 0) return {};
   const Box2 box = box_of(scenario, ground);
-  const Vec2 size = box.high - box.low;
+  const Vec2 size = box.size();
   const double count = std::round(plan.density * size.x() * size.y());
   if (!std::isfinite(count))
     throw ScenarioError("forest", "the ground has no ends, expected a `zone` with a `polygon`");

@@ -9,32 +9,15 @@ namespace {
 
 constexpr double least_share = 1e-6;
 
-template <int D>
-Box<D> box_of(const typename Geometry<D>::Contactor& contactor) {
-  if constexpr (D == 3) {
-    Box3 box = core_box({contactor, {}});
-    box.low.array() -= contactor.radius;
-    box.high.array() += contactor.radius;
-    return box;
-  }
-  Box<D> box{contactor.points[0], contactor.points[0]};
-  for (const Vec<D>& point : contactor.points) {
-    box.low = box.low.cwiseMin(point);
-    box.high = box.high.cwiseMax(point);
-  }
-  box.low.array() -= contactor.radius;
-  box.high.array() += contactor.radius;
-  return box;
-}
-
 }  // namespace
 
 template <int D>
 std::optional<PartOverlap> deepest_overlap_of_parts(const Body<D>& body) {
   if (body.contactors.size() < 2) return std::nullopt;
-  std::vector<Box<D>> boxes;
-  for (const auto& contactor : body.contactors) boxes.push_back(box_of<D>(contactor));
   const typename Geometry<D>::Pose own_frame;
+  std::vector<Box<D>> boxes;
+  for (const auto& contactor : body.contactors)
+    boxes.push_back(core_box(Placed<D>{contactor, own_frame}).grown(contactor.radius));
   Contacts<D> points;
   Workspace work;
   PartOverlap deepest;

@@ -143,12 +143,8 @@ class Placing {
   }
 
   Vec2 random_in_polygon(const std::vector<Vec2>& polygon, const std::string& name) {
-    Vec2 low = polygon[0], high = polygon[0];
-    for (const Vec2& corner : polygon) {
-      low = low.cwiseMin(corner);
-      high = high.cwiseMax(corner);
-    }
-    return random_where(low, high, name, [&](const Vec2& p) { return is_inside(polygon, p); });
+    const Box2 box = Box2::around(polygon);
+    return random_where(box.low, box.high, name, [&](const Vec2& p) { return is_inside(polygon, p); });
   }
 
   const Zone& zone_named(const std::string& name) const {

@@ -56,9 +56,7 @@ const std::vector<std::pair<int, int>>& World<D>::close_pairs() {
     auto& box = boxes_.emplace_back(typename Geometry<D>::Box{pose.x, pose.x});
     for (const auto& contactor : bodies[i].contactors) {
       const auto core = core_box(Placed<D>{contactor, pose});
-      const Vec<D> extent = Vec<D>::Constant(contactor.radius + reach);
-      box.low = box.low.cwiseMin(core.low - extent);
-      box.high = box.high.cwiseMax(core.high + extent);
+      box.add(core.grown(contactor.radius + reach));
     }
   }
   return broad_phase_.template pairs<D>(boxes_);

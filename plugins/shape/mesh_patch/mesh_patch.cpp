@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/box.h"
 #include "geometry/mesh_edges.h"
 #include "geometry/mesh_fault.h"
 #include "plugins/factories.h"
@@ -11,11 +12,7 @@ namespace flyrock::plugins {
 
 namespace {
 
-double diagonal_of(const Mesh& mesh) {
-  Vec3 low = mesh.vertices.front(), high = low;
-  for (const Vec3& vertex : mesh.vertices) low = low.cwiseMin(vertex), high = high.cwiseMax(vertex);
-  return (high - low).norm();
-}
+double diagonal_of(const Mesh& mesh) { return Box3::around(mesh.vertices).size().norm(); }
 
 Vec3 area_of(const Mesh& mesh, const std::array<int, 3>& triangle) {
   const Vec3& a = mesh.vertices[triangle[0]];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/box.h"
 #include "geometry/plan_line.h"
 #include "plugins/factories.h"
 
@@ -11,11 +12,7 @@ namespace {
 
 using Chain = std::vector<Vec2>;
 
-double diagonal_of(const Chain& line) {
-  Vec2 low = line.front(), high = low;
-  for (const Vec2& point : line) low = low.cwiseMin(point), high = high.cwiseMax(point);
-  return (high - low).norm();
-}
+double diagonal_of(const Chain& line) { return Box2::around(line).size().norm(); }
 
 /// The outline of a strip of a constant thickness on the right of a line; empty if the line bends too sharply
 /// for it. At a bend between segments with the normals a and b, the back is at a distance t from both:
