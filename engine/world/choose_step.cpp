@@ -117,14 +117,12 @@ std::span<const double> World<D>::doubt_of_friction(double h) {
     if constexpr (D == 3) turn(D, 1, spin);
     turn(Problem::rows - (D - 1), D - 1, spin);
     if (half.isZero(0)) continue;
-    const auto add = [&](int i, const ContactColumns<D>& columns) {
-      if (i < 0 || !bodies[i].moves()) return;
+    for_bodies(a, [&](int i, const auto& columns) {
+      if (!bodies[i].moves()) return;
       const typename Body<D>::Rows change = bodies[i].inverse_mass_times(columns * half);
       doubt_[i] +=
           change.template head<D>().norm() + bodies[i].radius * change.tail(change.size() - D).norm();
-    };
-    add(contact.candidate, rows_[a].candidate);
-    add(contact.antagonist, rows_[a].antagonist);
+    });
   }
   return doubt_;
 }

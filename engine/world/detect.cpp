@@ -212,9 +212,7 @@ template <int D>
 Placed<D> World<D>::placed(int body, FeatureId feature, bool at_start) const {
   const auto& contactor = bodies[body].contactor_with(feature);
   const int index = contactor_of(feature);
-  if (!at_start) return {contactor, bodies[body].pose(), index};
-  const Moment<D>& start = starts_[body];
-  return {contactor, {start.x, start.attitude.rotation}, index};
+  return {contactor, at_start ? starts_[body].pose() : bodies[body].pose(), index};
 }
 
 /// The gap between the features of a contact, now or at the start of the step [m]. What a held contact drifts

@@ -65,14 +65,11 @@ double World<D>::most_ratio_of_speeds() const {
 /// The speeds at which the driven bodies alone approach at a contact, along its normal and tangents [m/s].
 template <int D>
 Vec<D> World<D>::driven_approach(std::size_t a) const {
-  const Contact& c = contacts_[a];
   Vec<D> approach = Vec<D>::Zero();
-  const auto add = [&](int i, const auto& of_body) {
-    if (i >= 0 && bodies[i].kind == BodyKind::driven)
-      approach -= of_body.template leftCols<D>().transpose() * bodies[i].velocity();
-  };
-  add(c.candidate, rows_[a].candidate);
-  add(c.antagonist, rows_[a].antagonist);
+  for_bodies(a, [&](int i, const auto& columns) {
+    if (bodies[i].kind == BodyKind::driven)
+      approach -= columns.template leftCols<D>().transpose() * bodies[i].velocity();
+  });
   return approach;
 }
 
@@ -87,13 +84,10 @@ bool World<D>::throws() {
   }
   if (!(fastest > 0)) return false;
   drift_.assign(bodies.size(), Body<D>::Rows::Zero());  // of velocity
-  for (std::size_t a = 0; a < contacts_.size(); ++a) {
-    const auto add = [&](int i, const auto& rows) {
-      if (i >= 0 && bodies[i].moves()) drift_[i] += bodies[i].inverse_mass_times(rows * impulses_[a]);
-    };
-    add(contacts_[a].candidate, rows_[a].candidate);
-    add(contacts_[a].antagonist, rows_[a].antagonist);
-  }
+  for (std::size_t a = 0; a < contacts_.size(); ++a)
+    for_bodies(a, [&](int i, const auto& columns) {
+      if (bodies[i].moves()) drift_[i] += bodies[i].inverse_mass_times(columns * impulses_[a]);
+    });
   const double most = most_ratio_of_speeds() * std::max(fastest, approach);
   return std::any_of(drift_.begin(), drift_.end(),
                      [&](const auto& gain) { return gain.template head<D>().norm() > most; });
@@ -130,16 +124,13 @@ void World<D>::find_pressed() {
   };
   // The column of an impulse of contact k along its normal with `share` of it along the tangents.
   const auto put = [&](auto column, std::size_t k, const Vec<D - 1>& share) {
-    const Contact& c = contacts_[k];
-    if (!is_rigid(c)) return;
-    const auto add = [&](int i, const auto& of_body) {
-      if (i < 0 || first[i] < 0) return;
+    if (!is_rigid(contacts_[k])) return;
+    for_bodies(k, [&](int i, const auto& of_body) {
+      if (first[i] < 0) return;
       auto of_rows = column.template segment<dof>(first[i]);
       of_rows = of_body.col(0) + of_body.template middleCols<D - 1>(1) * share;
       of_rows.template tail<dof - D>() /= bodies[i].size;
-    };
-    add(c.candidate, rows_[k].candidate);
-    add(c.antagonist, rows_[k].antagonist);
+    });
     const Vec<D> approach = driven_approach(k);
     column[rows] = (approach[0] + share.dot(approach.template tail<D - 1>())) / fastest;
   };

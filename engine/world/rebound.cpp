@@ -89,15 +89,12 @@ void World<D>::solve_and_apply() {
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     Contact& contact = contacts_[a];
     contact.impulse = impulses_[a];
-    const auto apply = [&](int i, const auto& rows) {
-      if (i < 0) return;
-      bodies[i].add_velocity(bodies[i].inverse_mass_times(rows * contact.impulse));
+    for_bodies(a, [&](int i, const auto& columns) {
+      bodies[i].add_velocity(bodies[i].inverse_mass_times(columns * contact.impulse));
       if (bodies[i].breathes())
         bodies[i].breathing.now.rate += mobility_of_shape(i) * bodies[i].breathing.side * contact.impulse[0];
       unsolved_[i] = {result.residual, time};
-    };
-    apply(contact.candidate, rows_[a].candidate);
-    apply(contact.antagonist, rows_[a].antagonist);
+    });
   }
 }
 
@@ -205,16 +202,13 @@ void World<D>::record_impacts() {
 /// The work of the driven bodies of contact a on the other bodies in a step of length h [J].
 template <int D>
 double World<D>::work_of_driven(int a, double h) const {
-  const Contact& contact = contacts_[a];
   double work = 0;
-  const auto add = [&](int body, const ContactColumns<D>& columns) {
-    if (body < 0 || bodies[body].kind != BodyKind::driven) return;
+  for_bodies(a, [&](int body, const auto& columns) {
+    if (bodies[body].kind != BodyKind::driven) return;
     typename Body<D>::Rows mean = bodies[body].velocity();
     mean.template head<D>() -= 0.5 * h * bodies[body].push;
-    work -= contact.impulse.dot(columns.transpose() * mean);
-  };
-  add(contact.candidate, rows_[a].candidate);
-  add(contact.antagonist, rows_[a].antagonist);
+    work -= contacts_[a].impulse.dot(columns.transpose() * mean);
+  });
   return work;
 }
 

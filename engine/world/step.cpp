@@ -179,6 +179,17 @@ typename World<D>::Outcome World<D>::impact() {
   detect(0);
   keep_closed(event_share);
   const bool endless = settings_.one_by_one && !collide_one_by_one();
+  const bool approaching = solve_impact();
+  Outcome outcome = keep(0, false);
+  outcome.endless = endless;
+  outcome.new_touch = approaching;
+  for (Contact& c : last_) c.impulse.setZero();  // impulses of an impact are no warm start for the next step
+  return outcome;
+}
+
+/// Lets the contacts collide at once. False if none approaches, so that nothing is solved.
+template <int D>
+bool World<D>::solve_impact() {
   measure_before(0);
   begin_manifolds();
   ask_laws(0);
@@ -194,11 +205,7 @@ typename World<D>::Outcome World<D>::impact() {
   measure_after(0);
   record_impacts();
   audit_energy(0);
-  Outcome outcome = keep(0, false);
-  outcome.endless = endless;
-  outcome.new_touch = approaching;
-  for (Contact& c : last_) c.impulse.setZero();  // impulses of an impact are no warm start for the next step
-  return outcome;
+  return approaching;
 }
 
 /// Whether a contact that may collide is a spring. The law is asked only if it can be one.
@@ -230,15 +237,7 @@ bool World<D>::collide_one_by_one() {
     ends = hits < most_hits;
     if (!ends) break;
     contacts_.assign(1, closed_[next]);
-    measure_before(0);
-    begin_manifolds();
-    ask_laws(0);
-    assemble(0, false);
-    solve_and_apply();
-    ++quality_.impact_problems;
-    measure_after(0);
-    record_impacts();
-    audit_energy(0);
+    solve_impact();
     closed_[next].history = contacts_[0].history;
     if (on_hit) on_hit();
   }
@@ -317,21 +316,18 @@ void World<D>::project_drift(bool exact) {
   }
   const auto gap_of = [&](std::size_t a) {
     const Contact& c = contacts_[a];
-    double gap = *gaps_[a] + rows_[a].candidate.col(0).dot(drift_[c.candidate]);
-    if (c.antagonist >= 0) gap += rows_[a].antagonist.col(0).dot(drift_[c.antagonist]);
+    double gap = *gaps_[a];
+    for_bodies(a, [&](int i, const auto& columns) { gap += columns.col(0).dot(drift_[i]); });
     for (const int i : {c.candidate, c.antagonist})
       if (i >= 0 && bodies[i].breathes()) gap += bodies[i].breathing.side * swell_[i];
     return gap;
   };
   const auto close = [&](std::size_t a, double gap) {
-    const Contact& c = contacts_[a];
     const double lambda = -gap / problem_.contacts[a].w(0, 0);
-    drift_[c.candidate] += bodies[c.candidate].inverse_mass_times(lambda * rows_[a].candidate.col(0));
-    if (c.antagonist >= 0)
-      drift_[c.antagonist] += bodies[c.antagonist].inverse_mass_times(lambda * rows_[a].antagonist.col(0));
-    for (const int i : {c.candidate, c.antagonist})
-      if (i >= 0 && bodies[i].breathes())
-        swell_[i] += mobility_of_shape(i) * bodies[i].breathing.side * lambda;
+    for_bodies(a, [&](int i, const auto& columns) {
+      drift_[i] += bodies[i].inverse_mass_times(lambda * columns.col(0));
+      if (bodies[i].breathes()) swell_[i] += mobility_of_shape(i) * bodies[i].breathing.side * lambda;
+    });
   };
   for (int pass = 0; pass < closing; ++pass)
     for (std::size_t a = 0; a < contacts_.size(); ++a)

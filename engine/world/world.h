@@ -207,6 +207,12 @@ class World {
   PairLaws* pair_laws(int a, int b);
 
   bool bodies_meet() const { return settings_.body_contacts && bodies.size() > 1; }
+  /// Calls use(body, columns) for the bodies of contact a, the candidate first.
+  template <class Use>
+  void for_bodies(std::size_t a, Use use) const {
+    use(contacts_[a].candidate, rows_[a].candidate);
+    if (contacts_[a].antagonist >= 0) use(contacts_[a].antagonist, rows_[a].antagonist);
+  }
 
   // detect.cpp: which contacts are active
   void detect(double ahead);
@@ -263,6 +269,7 @@ class World {
   Row velocity_after(int a, double h) const;
   void measure_after(double h);
   void find_shocks(double h);
+  bool solve_impact();
   bool collide_one_by_one();
   bool is_spring(Contact& contact);
   void record_impacts();
