@@ -24,18 +24,12 @@ template <int D>
 struct TouchingPart {
   /// `place`: nothing is known but the place; its normal counts as that of the other side's plane, or fixed.
   enum class Kind { point, line, plane, place };
-  static typename Space<D>::Spin at_rest() {
-    if constexpr (D == 2)
-      return 0;
-    else
-      return Vec3::Zero();
-  }
   Kind kind = Kind::place;
   bool rolls = false;                ///< a part of a rim or side: its place walks around the body
   double radius = 0;                 ///< m, of the surface about the core; negative if it touches from inside
   Vec<D> line = Vec<D>::Zero();      ///< unit, of a line
   Vec<D> velocity = Vec<D>::Zero();  ///< m/s, of the place of the core that is nearest to the contact
-  typename Space<D>::Spin spin = at_rest();  ///< rad/s, of the body
+  typename Space<D>::Spin spin = Space<D>::no_spin();  ///< rad/s, of the body
 };
 
 /// The part of the ground that a feature names, at rest. Of contactors: touching_part in pairs.h.

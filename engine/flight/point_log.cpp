@@ -74,7 +74,7 @@ PointLog<D>::PointLog(const Body<D>& body, const Terrain& terrain, const PointRu
       run_(run),
       history_(history),
       log_(run, terrain, run.start_time, run.cells, history),
-      spin_(Body<D>::no_spin()),
+      spin_(Space<D>::no_spin()),
       spin_since_(run.start_time),
       attitude_(body.attitude),
       twice_spin_energy_(0) {

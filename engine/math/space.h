@@ -117,6 +117,8 @@ struct Space<2> {
   using Inertia = double;  ///< kg m2 about the centre of mass
   using Rotation = Rotation2;
   static constexpr int dof = 3;  ///< (v_x, v_y, omega)
+  static Spin no_spin() { return 0; }
+  static Spin spin_of(const Vec<dof>& velocity) { return velocity[2]; }
 };
 
 template <>
@@ -126,6 +128,8 @@ struct Space<3> {
   using Inertia = Vec3;
   using Rotation = Rotation3;
   static constexpr int dof = 6;  ///< (v_x, v_y, v_z, omega_x, omega_y, omega_z)
+  static Spin no_spin() { return Vec3::Zero(); }
+  static Spin spin_of(const Vec<dof>& velocity) { return velocity.tail<3>(); }
 };
 
 }  // namespace flyrock

@@ -119,7 +119,7 @@ typename World<D>::Turning World<D>::turning_of(const Contact& contact, double a
   change -=
       move(b, contact.antagonist, contact.at.against, contact.candidate, contact.at.feature, is_plane(a), -1);
   Turning turning;
-  turning.rate = contact_velocity<D>(normal, change, Body<D>::no_spin());
+  turning.rate = contact_velocity<D>(normal, change, Space<D>::no_spin());
   turning.walks = a.rolls || b.rolls;
   if (contact.antagonist < 0 && is_plane(b)) return turning;  // a face of the ground keeps its normal
   const auto [normal_rate, over_a, over_b] = contact_motion(a, b, normal);

@@ -87,7 +87,7 @@ struct Body {
 
   Vec<D> x = Vec<D>::Zero(), v = Vec<D>::Zero();
   Attitude<D> attitude;
-  Spin w = no_spin();  ///< rad/s, world frame
+  Spin w = Space<D>::no_spin();  ///< rad/s, world frame
 
   Breathing breathing;  ///< of a pneumatic disk; of a rigid body mass 0
 
@@ -97,7 +97,6 @@ struct Body {
 
   int impacts = 0;  ///< manifolds that closed faster than rest_speed
 
-  static Spin no_spin();
   bool moves() const { return kind == BodyKind::dynamic && present; }
   /// m/s2, without contacts.
   Vec<D> acceleration(const Vec<D>& gravity) const {
@@ -106,12 +105,35 @@ struct Body {
   }
   /// M^-1 h, the change of velocity caused by an impulse along h, a column of H^T. 0 for a body that contacts
   /// do not move.
-  Rows inverse_mass_times(const Rows& h) const;
+  Rows inverse_mass_times(const Rows& h) const {
+    if (!moves()) return Rows::Zero();
+    if constexpr (D == 2) {
+      return {h[0] / mass, h[1] / mass, h[2] / inertia};
+    } else {
+      Rows change;
+      change << h.template head<3>() / mass,
+          attitude.rotation * Vec3(attitude.rotation.inverse(h.template tail<3>()).cwiseQuotient(inertia));
+      return change;
+    }
+  }
   /// (v, w) as one column vector.
-  Rows velocity() const;
-  void add_velocity(const Rows& dv);
+  Rows velocity() const {
+    if constexpr (D == 2) {
+      return {v.x(), v.y(), w};
+    } else {
+      Rows both;
+      both << v, w;
+      return both;
+    }
+  }
+  void add_velocity(const Rows& dv) {
+    v += dv.template head<D>();
+    w += Space<D>::spin_of(dv);
+  }
   /// Moves the body by the small displacement (dx, turn).
-  void displace(const Rows& by);
+  void displace(const Rows& by) {
+    move_to(x + by.template head<D>(), attitude.turned(Space<D>::spin_of(by)));
+  }
   /// Gives the shape this state: its contactor, the moment of inertia, and the bounds. The spin keeps J w.
   void set_shape(const Breathing::State& state);
   /// Lets the radius of a pneumatic disk grow [m].
@@ -144,55 +166,6 @@ struct Body {
 inline double free_spin(const Body<2>& body, double, double, double) { return body.w; }
 Vec3 free_spin(const Body<3>& body, double h, double theta, const Vec3& by_contacts);
 
-template <>
-inline double Body<2>::no_spin() {
-  return 0;
-}
-template <>
-inline Vec3 Body<3>::no_spin() {
-  return Vec3::Zero();
-}
-template <>
-inline Body<2>::Rows Body<2>::inverse_mass_times(const Rows& h) const {
-  if (!moves()) return Rows::Zero();
-  return {h[0] / mass, h[1] / mass, h[2] / inertia};
-}
-template <>
-inline Body<3>::Rows Body<3>::inverse_mass_times(const Rows& h) const {
-  if (!moves()) return Rows::Zero();
-  Rows change;
-  change << h.head<3>() / mass,
-      attitude.rotation * Vec3(attitude.rotation.inverse(h.tail<3>()).cwiseQuotient(inertia));
-  return change;
-}
-template <>
-inline Body<2>::Rows Body<2>::velocity() const {
-  return {v.x(), v.y(), w};
-}
-template <>
-inline Body<3>::Rows Body<3>::velocity() const {
-  Rows both;
-  both << v, w;
-  return both;
-}
-template <>
-inline void Body<2>::add_velocity(const Rows& dv) {
-  v += dv.head<2>();
-  w += dv[2];
-}
-template <>
-inline void Body<3>::add_velocity(const Rows& dv) {
-  v += dv.head<3>();
-  w += dv.tail<3>();
-}
-template <>
-inline void Body<2>::displace(const Rows& by) {
-  move_to(x + by.head<2>(), attitude.turned(by[2]));
-}
-template <>
-inline void Body<3>::displace(const Rows& by) {
-  move_to(x + by.head<3>(), attitude.turned(by.tail<3>()));
-}
 /// w.I w [J] of a spin w given in the world frame.
 inline double twice_spin_energy(const Body<2>& body, const Attitude<2>&, double w) {
   return body.inertia * w * w;

@@ -17,7 +17,7 @@ void stop_if_still(Body<D>& body) {
   constexpr double still = 1e-30;  // m/s
   if (body.v.squaredNorm() >= still * still || body.spin_speed() * body.size >= still) return;
   body.v.setZero();
-  body.w = Body<D>::no_spin();
+  body.w = Space<D>::no_spin();
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ template <int D>
 typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   constexpr int most_cuts = 4, most_refinements = 4, most_refusals = 12;
   const double theta = settings_.theta;
-  by_contacts_.resize(bodies.size(), Body<D>::no_spin());
+  by_contacts_.resize(bodies.size(), Space<D>::no_spin());
   free_spins_.resize(bodies.size());
   const auto drift = [&](double dt) {
     for (Body<D>& body : bodies)
