@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -50,7 +49,7 @@ double end_of(const BodyHistory& history) {
 /// The ground nearest to a place: its distance and its part. Infinite if there is none within `reach` along
 /// x.
 struct NearestGround {
-  double distance = std::numeric_limits<double>::infinity();
+  double distance = infinite;
   int part = -1;
 };
 
@@ -443,8 +442,7 @@ void TrialRunner::Trials<D>::decide(const World<D>& world, double mass, const Bo
   };
   const Vec<D> end = place(history.last);
   const double weight = -mass * world.gravity()[D - 1];
-  const double lift = weight > 0 ? end[D - 1] + history.last.kinetic_energy / weight
-                                 : std::numeric_limits<double>::infinity();
+  const double lift = weight > 0 ? end[D - 1] + history.last.kinetic_energy / weight : infinite;
   const Departure departure{in_plan(place(history.first)), in_plan(end), lift};
   row.decided_gates = decided_gates_.of(gates_, trial_.terrain, departure);
   row.decided_barriers = decided_barriers_.of(barriers_, trial_.terrain, departure);

@@ -1,7 +1,6 @@
 #include "flight/crossing.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "flight/ground.h"
 
@@ -9,7 +8,7 @@ namespace flyrock {
 
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double never = infinite;
 
 /// The kinetic energy of a body along a motion [J].
 template <int D, class Motion>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "flight/ground.h"
 
@@ -31,7 +30,7 @@ std::optional<double> least_height(const PlanLine& line, const Terrain2& terrain
 std::optional<double> least_height(const PlanLine& line, const Terrain3& terrain) {
   const Box3& box = terrain.ground().extent();
   const double above = std::isfinite(box.high.z()) ? box.high.z() + 1 : 0;  // m, higher than all ground
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinite;
   for (const PlanLine::Piece& piece : line.pieces()) {
     const Stretch stretch = within(piece, domain_of(terrain));
     if (!std::isfinite(stretch.length)) return std::nullopt;

@@ -10,7 +10,7 @@ namespace flyrock {
 
 namespace {
 
-constexpr double no_touch = std::numeric_limits<double>::infinity();
+constexpr double no_touch = infinite;
 
 /// When c0 + c1 s + c2 s^2 falls through 0 at s >= 0; infinity if it does not. If c0 < 0 it must rise first.
 /// `at_zero`: c0 is taken as 0, and a function that does not rise from there never falls back.

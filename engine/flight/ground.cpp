@@ -1,12 +1,8 @@
 #include "flight/ground.h"
 
-#include <limits>
-
 namespace flyrock {
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// The mean velocity in plan over [0, dt] [m/s].
 Vec2 rate_in_plan(const Path<3>& path, double dt) { return (path.v + 0.5 * dt * path.a).head<2>(); }

@@ -168,7 +168,7 @@ class PointRunner {
     for (int i = 0;; ++i) {
       const Vec<D>& v = now_.velocity;
       const Face<D>* first = nullptr;
-      double approach = -std::numeric_limits<double>::infinity();
+      double approach = -infinite;
       for (const Face<D>& face : faces_)
         if (const double of_face = -v.dot(face.normal); of_face > approach) first = &face, approach = of_face;
       const double rounding = rounding_of_speed(v.norm());

@@ -47,7 +47,7 @@ class RestWatch {
   void rests(double start, double end, const Pace& from, const Pace& pace, const Travel& before);
   /// The time until a body that stays slow and steady is at rest [s]; infinite if it is not slow.
   double time_to_rest(double now) const {
-    return slow_since_ < 0 ? std::numeric_limits<double>::infinity() : steady_since_ + rest_time - now;
+    return slow_since_ < 0 ? infinite : steady_since_ + rest_time - now;
   }
   /// The travel of the body until it came to rest.
   const Travel& travel() const { return travel_; }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -286,12 +285,12 @@ class Runner {
     const bool inside = side * (x - path.x[axis]) > 0;
     if (inside || speed > 0 || (speed == 0 && push > 0))
       return travel_times(side * (x - path.x[axis]), speed, push)[0];
-    return push > 0 ? -2 * speed / push : std::numeric_limits<double>::infinity();
+    return push > 0 ? -2 * speed / push : infinite;
   }
 
   double time_in_domain(const Path<D>& flight) const {
     const Domain<D> domain = domain_of(world_.terrain());
-    double first = std::numeric_limits<double>::infinity();
+    double first = infinite;
     for (int k = 0; k < D - 1; ++k)
       first =
           std::min({first, departure(flight, domain.low[k], -1, k), departure(flight, domain.high[k], 1, k)});

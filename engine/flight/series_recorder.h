@@ -2,7 +2,6 @@
 // Records the series of a world while it runs. Instantiated for D = 2, 3.
 
 #include <span>
-#include <string>
 #include <vector>
 
 #include "flight/world_names.h"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -89,7 +88,7 @@ Vec3 Contactor3::Circle::towards(const Vec3& direction) const {
 }
 
 Vec3 Contactor3::support(const Vec3& direction) const {
-  double most = -std::numeric_limits<double>::infinity();
+  double most = -infinite;
   Vec3 best = Vec3::Zero();
   const auto see = [&](const Vec3& place) {
     if (const double along = direction.dot(place); along > most) most = along, best = place;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "geometry/delaunay.h"
@@ -11,8 +10,6 @@
 namespace flyrock {
 
 namespace {
-
-constexpr double infinite_length = std::numeric_limits<double>::infinity();
 
 /// The place of a triangle nearest to p, by its barycentric weights. Source: C. Ericson, Real-Time Collision
 /// Detection, 2005, 5.1.5.
@@ -196,7 +193,7 @@ void FaceSurvey::measure_noise(const std::vector<Vec3>& vertices,
 }
 
 FaceSurvey::Nearest FaceSurvey::nearest(const Vec3& place) const {
-  Nearest nearest{infinite_length, false};
+  Nearest nearest{infinite, false};
   for (const Triangle& triangle : triangles_) {
     if ((place - triangle.centre).norm() - triangle.radius > nearest.distance) continue;
     const Vec3 weights = nearest_weights(triangle.corner, place);
@@ -213,7 +210,7 @@ FaceSurvey::Nearest FaceSurvey::nearest(const Vec3& place) const {
 }
 
 double FaceSurvey::distance_to(const std::vector<Vec3>& line) const {
-  double least = infinite_length;
+  double least = infinite;
   for (std::size_t i = 1; i < line.size(); ++i)
     for (const Triangle& triangle : triangles_)
       if (distance_to_segment(triangle.centre, line[i - 1], line[i]) - triangle.radius < least)

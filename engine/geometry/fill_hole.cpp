@@ -1,7 +1,6 @@
 #include "geometry/fill_hole.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include "geometry/mesh_border.h"
@@ -36,7 +35,7 @@ std::vector<std::array<int, 3>> fill_hole(const std::vector<Vec3>& vertices, con
   for (int length = 2; length < n; ++length)
     for (int i = 0; i + length < n; ++i) {
       const int j = i + length;
-      least[i][j] = std::numeric_limits<double>::infinity();
+      least[i][j] = infinite;
       for (int k = i + 1; k < j; ++k) {
         const double sum = least[i][k] + least[k][j] + area(i, k, j);
         if (sum >= least[i][j]) continue;

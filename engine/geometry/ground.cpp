@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/grid_ground.h"
 #include "geometry/mesh_ground.h"
@@ -10,8 +9,6 @@
 namespace flyrock {
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// A plane: one facet without rims.
 class PlaneGround final : public Ground3 {

@@ -1,7 +1,6 @@
 #include "geometry/ground2.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/doubled_area.h"
 #include "geometry/plan_zone.h"

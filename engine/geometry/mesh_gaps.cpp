@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "geometry/box.h"
 #include "geometry/mesh_edges.h"

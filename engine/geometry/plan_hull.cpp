@@ -1,7 +1,6 @@
 #include "geometry/plan_hull.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "geometry/box.h"
 
@@ -60,7 +59,7 @@ Vec2 centroid_of(const std::vector<Vec2>& hull) {
 }
 
 double distance_from(const std::vector<Vec2>& hull, const Vec2& place) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinite;
   bool inside = hull.size() > 2;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2 &a = hull[i], &b = hull[(i + 1) % hull.size()];

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "geometry/place_text.h"
 #include "math/polynomial.h"
@@ -15,7 +14,6 @@ namespace flyrock {
 
 namespace {
 
-constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double nanometre = 1e-9;
 
 using Coefficients = std::array<double, 6>;
@@ -25,7 +23,7 @@ template <class Counts>
 std::optional<double> first_zero(const Coefficients& ahead, bool is_parabola, double end, Counts counts) {
   if (is_parabola) {
     for (const double t : travel_times(ahead[0], -ahead[1], -2 * ahead[2]))
-      if (t <= end && t < endless && counts(t)) return t;
+      if (t <= end && t < infinite && counts(t)) return t;
     return std::nullopt;
   }
   if (ahead[0] <= 0 && counts(0.0)) return 0;
@@ -37,7 +35,7 @@ std::optional<double> first_zero(const Coefficients& ahead, bool is_parabola, do
   for (double from = 0; from <= end; change_sign()) {
     const std::optional<double> zero = first_fall(positive, from, end);
     if (!zero || counts(*zero)) return zero;
-    from = std::nextafter(*zero, endless);
+    from = std::nextafter(*zero, infinite);
   }
   return std::nullopt;
 }
@@ -75,10 +73,10 @@ std::optional<double> first_arrival(const PlanLine::Piece& piece, double side, c
 
 bool PlanLine::Piece::reaches(const Vec2& place) const {
   const double s = along.dot(place - start);
-  return length == endless || (s >= -nanometre && s <= length + nanometre);
+  return length == infinite || (s >= -nanometre && s <= length + nanometre);
 }
 
-PlanLine::PlanLine(double x) : pieces_{{Vec2(x, 0), Vec2::UnitY(), endless}} {}
+PlanLine::PlanLine(double x) : pieces_{{Vec2(x, 0), Vec2::UnitY(), infinite}} {}
 
 PlanLine::PlanLine(const std::vector<Vec2>& points) {
   double before = 0;
@@ -94,11 +92,11 @@ int PlanLine::side(const Vec2& place) const {
       pieces_.size() > 1 &&
       (pieces_.back().start + pieces_.back().length * pieces_.back().along - pieces_.front().start).norm() <=
           nanometre;
-  double nearest = endless, across = 0;
+  double nearest = infinite, across = 0;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const Piece& piece = pieces_[i];
-    const double first = i > 0 || is_closed ? 0 : -endless,
-                 last = i + 1 < pieces_.size() || is_closed ? piece.length : endless;
+    const double first = i > 0 || is_closed ? 0 : -infinite,
+                 last = i + 1 < pieces_.size() || is_closed ? piece.length : infinite;
     const double s = std::clamp(piece.along.dot(place - piece.start), first, last);
     const double distance = (piece.start + s * piece.along - place).norm(), side = piece.distance(place);
     // At a corner two pieces are equally near. The side is that of the one that the place is farther beside.

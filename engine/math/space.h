@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace flyrock {
 
@@ -13,6 +14,7 @@ using Vec2 = Vec<2>;
 using Vec3 = Vec<3>;
 
 inline constexpr double pi = 3.14159265358979323846;
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Twice the signed area spanned by a and b; the z component of their cross product.
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -60,7 +59,7 @@ inline std::string heights_text(double low, double high) {
 }
 
 inline std::string heights_of(const HeightGrid& grid) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  double low = infinite, high = -low;
   for (const double z : grid.heights) {
     if (z < low) low = z;  // not of NaN
     if (z > high) high = z;
@@ -69,7 +68,7 @@ inline std::string heights_of(const HeightGrid& grid) {
 }
 
 inline std::string heights_of(const Mesh& mesh) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  double low = infinite, high = -low;
   for (const auto& triangle : mesh.triangles)
     for (const int corner : triangle) {
       low = std::min(low, mesh.vertices[corner].z());

@@ -144,9 +144,9 @@ struct SolverQuality {
   std::uint64_t steps = 0;
   std::uint64_t cut_steps = 0;
   std::uint64_t refused_steps = 0;  ///< repeated with a shorter length because of their error
-  double least_step = std::numeric_limits<double>::infinity();  ///< s, of the steps that no touch cut
-  double greatest_step = 0;                                     ///< s
-  double step_time = 0;                                         ///< s, sum of the lengths of all steps
+  double least_step = infinite;     ///< s, of the steps that no touch cut
+  double greatest_step = 0;         ///< s
+  double step_time = 0;             ///< s, sum of the lengths of all steps
   std::uint64_t flights = 0;
   std::uint64_t impact_problems = 0;
   /// Solves of impacts and of steps, including steps that were then repeated with a shorter length

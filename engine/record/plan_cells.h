@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -86,7 +85,7 @@ class PlanCells {
   /// When a place `from` [m] from the low side leaves the column (or row) `at` towards `last`; infinity if it
   /// stays there.
   double leave(double from, double rate, std::int32_t at, std::int32_t last) const {
-    if (at == last) return std::numeric_limits<double>::infinity();
+    if (at == last) return infinite;
     const double time = (static_cast<double>(at + (at < last ? 1 : 0)) * grid_.cell - from) / rate;
     return std::isfinite(time) ? time : 0;  // the ends differ by rounding only
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace flyrock {
 
@@ -10,7 +9,7 @@ namespace {
 
 /// 0 inside of the hull.
 double distance_from_hull(const std::vector<Vec2>& hull, const Vec2& place) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinite;
   bool inside = hull.size() > 2;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2 edge = hull[(i + 1) % hull.size()] - hull[i], from = place - hull[i];

@@ -25,7 +25,7 @@ class RunoutData {
   double step_;
   bool binned_ = false;                   ///< first pass is done
   std::vector<double> known_, censored_;  ///< for each step
-  double least_censored_ = std::numeric_limits<double>::infinity();
+  double least_censored_ = infinite;
   std::vector<double> ranks_;  ///< of the points of the curve
   Selection curve_;
 };

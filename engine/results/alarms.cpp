@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "math/sphere.h"
 #include "results/wording.h"
@@ -11,7 +10,7 @@
 namespace flyrock {
 
 double least_size(const PointResult& point) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinite;
   for (const RockRecord& rock : point.first_trial)
     if (rock.volume > 0) least = std::min(least, 2 * sphere_radius(rock.volume));
   return least;

@@ -76,7 +76,7 @@ ExposureTally::ExposureTally(const Scenario& scenario) : dimension_(scenario.dim
 double ExposureTally::distance(const ExposurePlan& plan, const Vec2& place) const {
   if (dimension_ == 2) return std::abs(place.x() - plan.at.x());
   if (plan.line.empty()) return (place - plan.at).norm();
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinite;
   for (std::size_t i = 1; i < plan.line.size(); ++i)
     least = std::min(least, (nearest_on(plan.line[i - 1], plan.line[i], place) - place).norm());
   return least;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <set>
 
 #include "batch/hard_contacts.h"
@@ -130,7 +129,7 @@ constexpr double most_sunk = 0.1;  ///< share of the size
 
 /// The size of the smallest rock of all points [m]; infinite if there is none.
 double least_size_of_all(const std::vector<PointResult>& points) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinite;
   for (const PointResult& point : points) least = std::min(least, least_size(point));
   return least;
 }

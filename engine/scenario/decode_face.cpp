@@ -164,7 +164,7 @@ BurdenCurve FaceOfBlast::curve_of_profile(const Hole& hole, const Axis& axis, co
   const std::vector<AtDepth>& profile = profiles_.at(hole.name);
   BurdenCurve curve;
   for (const double depth : depths_of_curve(blast[BlastField::hole_length])) {
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinite;
     for (std::size_t i = 1; i < profile.size(); ++i) {
       const auto place = [&](const AtDepth& p) { return Vec3(axis.at(p.depth) + p.distance * across); };
       const Vec3 here = axis.at(depth);
@@ -191,7 +191,7 @@ void FaceOfBlast::put_burden(std::size_t index, Blast& completed, BlastPlan& pla
   const Axis axis = axis_of(hole, completed);
   const std::vector<Vec3> charge =
       axis.between(completed[BlastField::hole_stemming], completed[BlastField::hole_length]);
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinite;
   BurdenCurve& curve = plan.face->curves[index];
   if (survey_) {
     least = survey_->distance_to(charge);

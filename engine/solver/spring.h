@@ -1,7 +1,6 @@
 #pragma once
 // The springs of the condition `penalty`, and how they enter the friction problem.
 
-#include <algorithm>
 #include <cmath>
 
 #include "plugin/contact_law.h"

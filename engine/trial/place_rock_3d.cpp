@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/place_text.h"
 #include "geometry/plan_zone.h"
@@ -302,7 +301,7 @@ class Placing {
 
   /// The distance along a crest of its place nearest to p in plan.
   static double nearest_on_crest(const Mesh::Face& face, const Vec2& p) {
-    double before = 0, nearest = 0, least = std::numeric_limits<double>::infinity();
+    double before = 0, nearest = 0, least = infinite;
     for (std::size_t i = 1; i < face.crest.size(); ++i) {
       const Vec3 step = face.crest[i] - face.crest[i - 1];
       const Vec2 flat = step.head<2>(), to = p - face.crest[i - 1].head<2>();

@@ -1,7 +1,6 @@
 // The length of the next step, and what the error of a step is made of besides accelerations.
 
 #include <algorithm>
-#include <limits>
 
 #include "world/world.h"
 
@@ -10,9 +9,7 @@ namespace flyrock {
 namespace {
 
 /// The longest step that gives a rate [rad/s] enough steps a period.
-double enough_steps(double rate) {
-  return rate > 0 ? 2 * pi / steps_a_period / rate : std::numeric_limits<double>::infinity();
-}
+double enough_steps(double rate) { return rate > 0 ? 2 * pi / steps_a_period / rate : infinite; }
 
 }  // namespace
 
@@ -57,7 +54,7 @@ double World<D>::fastest_breath() const {
 template <int D>
 void World<D>::limit_by_dampers() {
   constexpr double small = 0.01;  // of the tolerance
-  longest_of_dampers_ = std::numeric_limits<double>::infinity();
+  longest_of_dampers_ = infinite;
   for (std::size_t a = 0; a < damper_rates_.size(); ++a) {
     const double decays = enough_steps(damper_rates_[a]);
     const Contact& c = contacts_[a];

@@ -2,7 +2,6 @@
 // Bodies, terrain, contacts, and one step of the Moreau-Jean scheme or one impact.
 
 #include <functional>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -308,11 +307,11 @@ class World {
   double reach_time_ = 0;   ///< s, the longer of this step and the last one; fixed steps: their length
   double theta_h_ = 0;      ///< s, theta times the step that is solved; 0 in an impact
   double spring_rate_ = 0;  ///< rad/s, the greatest rate of the springs in the last step or impact
-  std::vector<double> damper_rates_;  ///< rad/s, c W of each of its contacts
-  double longest_of_dampers_ = std::numeric_limits<double>::infinity();  ///< s
-  double energy_given_ = 0;                                              ///< J
-  double energy_in_doubt_ = 0, spring_energy_in_doubt_ = 0;              ///< J
-  std::vector<std::vector<PairLaws*>> terrain_laws_;                     ///< [body][part]
+  std::vector<double> damper_rates_;                         ///< rad/s, c W of each of its contacts
+  double longest_of_dampers_ = infinite;                     ///< s
+  double energy_given_ = 0;                                  ///< J
+  double energy_in_doubt_ = 0, spring_energy_in_doubt_ = 0;  ///< J
+  std::vector<std::vector<PairLaws*>> terrain_laws_;         ///< [body][part]
   /// [a][b], a < b; null before the bodies first come near each other
   std::vector<std::vector<PairLaws*>> pair_laws_;
 

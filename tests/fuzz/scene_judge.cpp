@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -17,7 +16,6 @@ namespace {
 
 constexpr double most_depth = 1e-3;  // of the size of the smaller body
 constexpr double most_gain = 1e-3;   // of the greatest energy
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 using Polygon = std::vector<Vec3>;
 

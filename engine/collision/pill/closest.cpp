@@ -8,7 +8,6 @@ namespace flyrock {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 // Segments whose angle has a smaller sine than this are parallel.
 constexpr double parallel_sine = 1e-8;
 

@@ -11,8 +11,6 @@ using namespace flyrock::lab;
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 /// The greatest height of a path above the ground, sampled.
 double sampled_height(const Terrain3& terrain, const Path<3>& path, double dt) {
   double most = -infinite;
