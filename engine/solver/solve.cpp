@@ -27,17 +27,6 @@ double excess(const ContactProblem<D>& problem, const SolveSettings& settings, c
   return result.residual / (settings.tolerance * scale);
 }
 
-/// Solves one contact in 2D in closed form. False if there is another number of contacts, or in 3D.
-bool solve_at_once(const ContactProblem<2>& problem, std::vector<ContactProblem<2>::Row>& r) {
-  if (problem.size() != 1) return false;
-  r[0] = solve_local(problem.contacts[0], problem.contacts[0].q);
-  return true;
-}
-bool solve_at_once(const ContactProblem<3>&, std::vector<ContactProblem<3>::Row>&) { return false; }
-
-bool is_solved_by_states(const ContactProblem<2>& problem) { return is_pair(problem); }
-bool is_solved_by_states(const ContactProblem<3>&) { return false; }
-
 }  // namespace
 
 template <int D>
@@ -132,9 +121,9 @@ bool Solver<D>::solve_by_states(const ContactProblem<D>& problem, const SolveSet
   return false;
 }
 
-/// Sweeps until only rounding is left: plain sweeps first, then accelerated ones as long as they help. Two
-/// contacts in 2D are solved exactly if a few sweeps do not suffice. Convergence is finally checked against
-/// the tolerance.
+/// Sweeps until only rounding is left: plain sweeps first, then accelerated ones as long as they help. In 2D,
+/// one contact is solved in closed form, and two exactly if a few sweeps do not suffice. Convergence is
+/// finally checked against the tolerance.
 template <int D>
 SolveResult Solver<D>::refine(const ContactProblem<D>& problem, const SolveSettings& settings,
                               std::vector<Row>& r) {
@@ -142,12 +131,16 @@ SolveResult Solver<D>::refine(const ContactProblem<D>& problem, const SolveSetti
   constexpr double least_gain = 0.5;             // another turn follows if the last one halved the residual
   SolveSettings finest = settings;
   finest.tolerance = std::numeric_limits<double>::epsilon();
-  const bool by_states = settings.solver == SolverKind::automatic && is_solved_by_states(problem);
+  bool by_states = false;
   SolveResult result;
-  if (solve_at_once(problem, r)) {
-    judge(problem, finest, r, result);
-    result.iterations = 1;
-    if (result.converged) return result;
+  if constexpr (D == 2) {
+    by_states = settings.solver == SolverKind::automatic && is_pair(problem);
+    if (problem.size() == 1) {
+      r[0] = solve_local(problem.contacts[0], problem.contacts[0].q);
+      judge(problem, finest, r, result);
+      result.iterations = 1;
+      if (result.converged) return result;
+    }
   }
   nlgs_.begin(problem, finest, r);
   result = nlgs_.run(by_states ? few : plain, r);
