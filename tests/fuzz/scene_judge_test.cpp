@@ -66,3 +66,24 @@ TEST_CASE("The judge of scenes finds bodies in the ground and in each other, and
   scene.place.z() = 0.7;  // the ground is said to be higher than it was in the run
   CHECK(says(verdict_of(scene), "in the ground"));
 }
+
+TEST_CASE("The judge lets Newton's law gain what an impact of several contacts reports in sum") {
+  // A disk bounces between the ground and a heavy box that comes down: the last impact has both contacts.
+  Scene scene;
+  scene.dimension = 2;
+  scene.profile = {{-12, 0}, {-5.0924, 1.63937}, {16.9966, 1.68312}};
+  scene.text = R"(flyrock: 1
+dimension: 2
+method: nscd
+terrain: { type: profile, points: [[-12, 0], [-5.0924, 1.63937], [16.9966, 1.68312]], material: m }
+materials: { m: { restitution: { type: newton, en: 0.50679 }, friction: { type: coulomb, mu: 0.80273 } } }
+bodies:
+  - { name: disk, shape: { type: disk, radius: 0.090587 }, density: 2700, material: m, position: [0.56133, 2.45424], velocity: [1.3707, -2.2525], spin: -4.2723 }
+  - { name: box, shape: { type: polygon, vertices: [[0.3231, 0.79989], [-0.3231, 0.79989], [-0.3231, -0.79989], [0.3231, -0.79989]] }, density: 2700, material: m, position: [0.84278, 5.14067], velocity: [1.5818, -3.1493], spin: -3.3313 }
+stop: { time: 0.6 s }
+output: { series: { every: step }, trajectories: { first: 1 } }
+)";
+  CHECK(says(verdict_of(scene), "more than before"));
+  scene.law_gains = true;
+  CHECK(verdict_of(scene).empty());
+}
