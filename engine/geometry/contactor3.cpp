@@ -95,9 +95,11 @@ Vec3 Contactor3::support(const Vec3& direction) const {
   };
   for (const Vec3& point : points) see(point);
   for (const Circle& circle : circles) {
+    constexpr double level = 1e-15;  // sine of the angle between the axis and the direction
     const Vec3 out = circle.across(direction);
     const double length = out.norm();
-    see(length > 0 ? Vec3(circle.centre + circle.radius / length * out) : circle.centre);
+    see(length > level * direction.norm() ? Vec3(circle.centre + circle.radius / length * out)
+                                          : circle.centre);
   }
   return best;
 }

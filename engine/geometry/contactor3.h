@@ -31,8 +31,12 @@ struct Contactor3 {
     Vec3 centre = Vec3::Zero();
     Vec3 axis = Vec3::UnitZ();  ///< unit, out of the cap
     double radius = 0;          ///< m
-    /// The part of a vector across the axis.
-    Vec3 across(const Vec3& v) const { return v - axis.dot(v) * axis; }
+    /// The part of a vector across the axis. Of a vector nearly along the axis, rounding would leave a part
+    /// along it that is as great.
+    Vec3 across(const Vec3& v) const {
+      const Vec3 once = v - axis.dot(v) * axis;
+      return once - axis.dot(once) * axis;
+    }
     /// Unit, towards the farthest place along a direction; a fixed one if the cap is level.
     Vec3 towards(const Vec3& direction) const;
   };

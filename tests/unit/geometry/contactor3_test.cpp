@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "dice.h"
+
 using namespace flyrock;
 
 TEST_CASE("the faces of a box close, point outwards and share its twelve edges") {
@@ -50,4 +52,22 @@ TEST_CASE("a polyhedron with more edges than feature ids count is refused") {
   };
   CHECK(bipyramid(100).edges.size() == 300);
   CHECK_THROWS_WITH(bipyramid(5462), "a polyhedron has 16386 edges, at most 16384 are possible");
+}
+
+TEST_CASE("the support of a circle is right to rounding, however level its cap") {
+  Dice dice(7);
+  for (int i = 0; i < 2000; ++i) {
+    Contactor3::Circle circle;
+    circle.centre = dice.direction<3>();
+    circle.axis = dice.direction<3>();
+    circle.radius = 0.2;
+    Contactor3 disc;
+    disc.circles.push_back(circle);
+    const double sine = i % 3 == 0 ? 0 : std::pow(10, dice(-17, 0));
+    const Vec3 side = circle.axis.unitOrthogonal();
+    const Vec3 direction = std::sqrt(1 - sine * sine) * circle.axis + sine * side;
+    const double expected = direction.dot(circle.centre) + circle.radius * sine;
+    CHECK(std::abs(direction.dot(disc.support(direction)) - expected) < 1e-15);
+    CHECK(std::abs((disc.support(direction) - circle.centre).dot(circle.axis)) < 5e-16);
+  }
 }
