@@ -5,15 +5,12 @@
 // World::held_in_flight and World::held_in_step (world/held_contacts.cpp) fill the list. In flight, what it
 // has counts from zero at the start. In a step the solver holds it:
 //
-//   search                        asks                                    in a step, what is held
-//   plane/, balls, clouds         HeldContacts::counts, two features      never counts
-//   pills and polyhedra, of       HeldPoints::hold, two points along      never counts; along a normal that
-//     core_search                   a direction                             drifts, 1e-3 rad long (pills), or
-//     it
-//                                                                           may sink by 5e-5 (edges on edges)
-//   circles                       HeldPair::hold, two sets of pieces      may sink by 1e-5
-//   hollow walls                  2D as plane/, 3D HeldPair::counts       never counts; a rim, 60 degrees
-//   away
+//   search                  asks                                   in a step, what is held
+//   plane/, balls, clouds   HeldContacts::counts, two features     never counts
+//   pills, polyhedra        HeldPoints::hold, two points along a   never counts; where the normal drifts, for
+//                             direction (hull/core_search)           1e-3 rad, or may sink by 5e-5
+//   circles                 HeldPair::hold, two sets of pieces     may sink by 1e-5
+//   hollow walls            2D as plane/, 3D HeldPair::counts      never counts; a rim does 60 degrees away
 //
 // Sinking is in shares of the size; docs/numerics.md, "The length of a step", says why. Lumped masses have a
 // rule of their own: flight/face.h.

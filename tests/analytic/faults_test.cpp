@@ -49,8 +49,10 @@ TEST_CASE("a body below the ground has diverged") {
 
 TEST_CASE("a compound that straddles a peak is not below the ground, until all of it is") {
   Material material(0.5, 0.5);
-  const Profile peak{
-      .points = {{-9, 0}, {-0.3, 0}, {0, 2}, {0.3, 0}, {9, 0}}, .part = {0, 0, 0, 0}, .parts = {""}};
+  Profile peak;
+  peak.points = {{-9, 0}, {-0.3, 0}, {0, 2}, {0.3, 0}, {9, 0}};
+  peak.part = {0, 0, 0, 0};
+  peak.parts = {""};
   const Contactor2 right = Contactor2::wall({0.7, 0}, {0.71, 0}, 0.1),
                    left = Contactor2::wall({-0.71, 0}, {-0.7, 0}, 0.1);
   Body<2> dumbbell = make_body({left, right}, 0, 1, 0);

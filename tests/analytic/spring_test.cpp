@@ -69,7 +69,10 @@ TEST_CASE("a damper takes its closed-form share of a bounce, whatever the restit
 
 TEST_CASE("a spring that has opened has no energy, also where the body has left its features far behind") {
   Springs material({.stiffness = 1e7}, 0);
-  const Profile ledge{.points = {{-10, 0}, {1, 0}, {2, -20}, {60, -20}}, .part = {0, 0, 0}, .parts = {""}};
+  Profile ledge;
+  ledge.points = {{-10, 0}, {1, 0}, {2, -20}, {60, -20}};
+  ledge.part = {0, 0, 0};
+  ledge.parts = {""};
   Bench bench(ledge, material, chosen());
   const int ball = bench.add(disk(0.2, 100, {0, 0.3}, {6, 0}));
   bench.run(1);  // it has bounced before the crest and is now in the air, below the line of the ledge
