@@ -121,13 +121,7 @@ Vec3 free_spin(const Body<3>& body, double h, double theta, const Vec3& by_conta
   constexpr int most_iterations = 20;
   const auto& r = body.attitude.rotation;
   const auto& moments = body.inertia;
-  const Vec3 before = r.inverse(body.w);
-  // What would turn the spin round, and by a notable angle, came at an instant of the last step and does not
-  // go on.
-  constexpr double notable = 0.01;  // rad
-  const double push = by_contacts.norm();
-  const bool goes_on = push <= 0.5 * body.w.norm() || h * push <= notable;
-  const Vec3 pushed = goes_on ? Vec3(theta * r.inverse(by_contacts)) : Vec3::Zero();
+  const Vec3 before = r.inverse(body.w), pushed = theta * r.inverse(by_contacts);
   const auto momentum = [&](const Vec3& w) -> Vec3 { return moments.cwiseProduct(w); };
   const auto skew = [](const Vec3& a) {
     Eigen::Matrix3d m;

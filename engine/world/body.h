@@ -159,6 +159,16 @@ struct Body {
   bool is_finite() const { return x.allFinite() && v.allFinite() && std::isfinite(spin_speed()); }
 };
 
+/// Whether the change of spin that contacts made in the last step goes on in this one, of length h; `push`:
+/// the change at that rate in h. An impulse in a much shorter step does not: it would turn the spin round by
+/// a notable angle.
+template <class Spin>
+bool goes_on(const Spin& push, const Spin& w, double h, double last_h) {
+  constexpr double much_shorter = 0.1, round = 0.5, notable = 0.01;  // shares; rad
+  return last_h >= much_shorter * h || spin_speed(push) <= round * spin_speed(w) ||
+         h * spin_speed(push) <= notable;
+}
+
 /// The spin after a step h without torque, by the theta scheme with an implicit gyroscopic term:
 ///   I (w+ - w) + h w_th x I w_th = 0,  w_th = (1 - theta) w + theta w+,  I at the current attitude.
 /// theta = 1/2 conserves |I w| and the energy. In 2D there is no gyroscopic term. `by_contacts` [rad/s]: the

@@ -103,7 +103,8 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
       Body<D>& body = bodies[i];
       body.v += h * body.acceleration(gravity_);
       if (!body.moves()) continue;
-      body.w = free_spin(body, h, theta, h * by_contacts_[i]);
+      const typename Body<D>::Spin push = h * by_contacts_[i];
+      body.w = free_spin(body, h, theta, goes_on(push, body.w, h, last_step_) ? push : Space<D>::no_spin());
       free_spins_[i] = body.w;
       if (body.breathes()) body.breathing.now.rate = body.breathing.free_rate(body.spin_speed(), h, theta);
     }

@@ -24,7 +24,8 @@ TEST_CASE(
     const double curvature = -g - arm * spin * spin * std::cos(phase);
     const double bend = g + arm * spin * spin, jerk = arm * spin * spin * spin, longest = 2 * unit(rng);
     const double second = std::min(longest, safe_time(lift, slope, bend, scale, Counts::fully));
-    const double third = GapBound{lift, slope, curvature, jerk, bend}.safe_time(longest, scale, Counts::fully);
+    const double third =
+        GapBound{lift, slope, curvature, jerk, bend}.safe_time(longest, scale, Counts::fully);
     INFO("case " << k << ": " << second << " s and " << third << " s of " << longest << " s");
     REQUIRE(third >= second * (1 - 1e-12));
     for (int i = 1; i <= 100; ++i) REQUIRE(gap(third * i / 100) > -1e-12);
