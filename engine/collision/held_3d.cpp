@@ -135,7 +135,7 @@ Hold HeldPoints::drifts_from(const Vec3& direction, int i, int j, const MovingSt
     return agrees(direction, place_of(a_, h.feature, sa), {kind_of(h.against), h.place, h.along, h.upward});
   };
   const auto on_body = [&](const HeldContact& h) {
-    if (!is_of_pair(h)) return false;
+    if (!is_of_pair(h, a_, b_)) return false;
     const bool end_of_a = a_.shape.faces.empty() && h.feature == a_.id(FeatureKind::vertex, i);
     const bool end_of_b = b_.shape.faces.empty() && h.against == b_.id(FeatureKind::vertex, j);
     const bool is_vertex_of_both = (is_vertex(h.feature) || is_vertex(h.against)) &&
@@ -184,7 +184,7 @@ HeldPair::HeldPair(const Moving3& a, const Moving3& b, const TouchSearch& search
     : a_(a), b_(b), search_(search), of_a_(a.shape), of_b_(b.shape) {
   if (!b.facet)
     for (const HeldContact& h : search.held.list)
-      if (is_of_pair(h)) {
+      if (is_of_pair(h, a_, b_)) {
         of_b_.add(feature_of(h.against));
         add(h);
       }
@@ -216,7 +216,7 @@ bool HeldPair::has(const Face& face) const {
     return std::any_of(b_.held_on_ground.begin(), b_.held_on_ground.end(),
                        [&](const HeldOnGround& h) { return h.feature == feature; });
   return std::any_of(search_.held.list.begin(), search_.held.list.end(), [&](const HeldContact& h) {
-    return is_of_pair(h) && (face.of_b ? h.against : h.feature) == feature;
+    return is_of_pair(h, a_, b_) && (face.of_b ? h.against : h.feature) == feature;
   });
 }
 

@@ -20,6 +20,11 @@ TouchSearch without_opened(Workspace& work, const Moving3& c, const Ground3& gro
 /// Whether a contact with a facet of the ground is in the plane of another facet.
 bool is_in_plane(const HeldOnGround& held, const Facet& facet, double size);
 
+/// Whether a contact of two bodies is of the contactors a and b.
+inline bool is_of_pair(const HeldContact& h, const Moving3& a, const Moving3& b) {
+  return contactor_of(h.feature) == a.index && contactor_of(h.against) == b.index;
+}
+
 /// The contacts that concern the pair a, b, as points of the two.
 class HeldPoints {
  public:
@@ -48,7 +53,7 @@ class HeldPoints {
           use(index_of(h.feature), i);
     if (b_.facet) return;
     for (const HeldContact& h : search_.held.list)
-      if (is_of_pair(h) && is_edge(h.feature) && is_edge(h.against))
+      if (is_of_pair(h, a_, b_) && is_edge(h.feature) && is_edge(h.against))
         use(index_of(h.feature), index_of(h.against));
   }
 
@@ -61,9 +66,6 @@ class HeldPoints {
   static Place place_of(const Moving3& c, FeatureId feature, const MovingState& s);
   static Vec3 normal_of(const Place& a, const Place& b);
   bool agrees(const Vec3& direction, const Place& a, const Place& b) const;
-  bool is_of_pair(const HeldContact& h) const {
-    return contactor_of(h.feature) == a_.index && contactor_of(h.against) == b_.index;
-  }
   bool has(FeatureId feature, FeatureId against) const;
   /// Whether one holds the points exactly along a direction of one of the two; `point`: of the other.
   bool holds_on(const Features& of, int point) const;
@@ -129,9 +131,6 @@ class HeldPair {
  private:
   void add(const HeldContact& contact);
   bool has(const Face& face) const;
-  bool is_of_pair(const HeldContact& h) const {
-    return contactor_of(h.feature) == a_.index && contactor_of(h.against) == b_.index;
-  }
 
   const Moving3& a_;
   const Moving3& b_;
