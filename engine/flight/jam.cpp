@@ -113,8 +113,9 @@ const std::vector<int>& JamWatch<D>::look() {
   problems_ = world_.quality().problems;
   find_reached();
   if (fastest_ == 0) return jammed_;
-  const bool is_missed =
-      world_.last_solve().residual > missed_share * fastest_ && work_ > missed_share * work_in_all_;
+  const bool is_missed = world_.missed_last_solve() &&
+                         world_.last_solve().residual > missed_share * fastest_ &&
+                         work_ > missed_share * work_in_all_;
   met_ = is_missed ? 0 : met_ + 1;
   missed_ = is_missed ? missed_ + 1 : met_ < most_steps ? missed_ : 0;
   const double deepest = deepest_share();

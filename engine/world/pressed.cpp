@@ -150,7 +150,7 @@ void World<D>::find_pressed() {
         if (r[column] > least && i >= 0 && first[i] >= 0) pressed_.push_back(i);
   };
   search({Vec<D - 1>::Zero()}, false);
-  const bool is_missed = last_solve_.residual > missed_share * fastest;
+  const bool is_missed = missed_last_solve() && last_solve_.residual > missed_share * fastest;
   if (pressed_.empty() && is_missed) search(slip_directions<D>(), true);
   if (pressed_.empty() && is_missed) {  // impulses that grow without bound, until rounding ends them
     double mass = 0, greatest = 0, work = 0, work_in_all = 0;

@@ -78,11 +78,7 @@ void World<D>::solve_and_apply() {
     if (scale > 0)
       quality_.not_converged_residual = std::max(quality_.not_converged_residual, result.residual / scale);
   }
-  // Of bodies that are pressed, the impulses may grow until their rounding hides the error.
-  const int worst = result.worst_contact;
-  const bool is_missed =
-      worst >= 0 && result.residual > settings_.tolerance * problem_.contacts[worst].speed_scale;
-  if (is_missed || throws()) find_pressed();
+  if (missed_last_solve() || throws()) find_pressed();
   // Impulses that grow without bound hold nothing: the run ends with the velocities before them.
   if (!pressed_.empty()) std::fill(impulses_.begin(), impulses_.end(), Row::Zero());
   quality_.max_residual = std::max(quality_.max_residual, result.residual);

@@ -102,6 +102,12 @@ class World {
   double gap_now(const Contact& contact) const { return gap_at(contact, false); }
   /// How the problem of contacts() was solved; nothing was solved in an impact in which nothing approached.
   const SolveResult& last_solve() const { return last_solve_; }
+  /// Whether its error is above its tolerance. Of bodies that are pressed, impulses may grow until their
+  /// rounding hides that it has not converged.
+  bool missed_last_solve() const {
+    const int worst = last_solve_.worst_contact;
+    return worst >= 0 && last_solve_.residual > settings_.tolerance * problem_.contacts[worst].speed_scale;
+  }
   /// The work of all solves, also of those that were repeated: the sum over their contacts.
   std::uint64_t solver_work() const { return solver_work_; }
   /// The bodies that driven bodies press, in the last solve, so that no motion satisfies their contacts.
@@ -303,6 +309,8 @@ class World {
   std::uint64_t solver_work_ = 0;
   std::vector<int> pressed_;
   StepControl<D> control_;
+  double walked_ =
+      0;  ///< approach of a rim's resting place by the middle of a step, as a multiple of rest_speed
   double last_step_ = 0;    ///< s
   double reach_time_ = 0;   ///< s, the longer of this step and the last one; fixed steps: their length
   double theta_h_ = 0;      ///< s, theta times the step that is solved; 0 in an impact
