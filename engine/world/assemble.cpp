@@ -135,9 +135,9 @@ typename World<D>::Turning World<D>::turning_of(const Contact& contact, double a
   constexpr double at_rest = 1e-6;  // of g: piles at rest keep their loads
   if (bend.template head<D>().norm() <= at_rest * g_) return turning;
   turning.rate += bend;
-  turning.bends = !a.rolls && !b.rolls;  // the place of a rim depends on the attitude as much as on the spin
-  turning.lasts = turning.bends && (a.radius != 0 || b.radius != 0 || is_driven(contact.candidate) ||
-                                    is_driven(contact.antagonist));
+  turning.bends = !turning.walks;  // the place of a rim depends on the attitude as much as on the spin
+  turning.lasts =
+      a.radius != 0 || b.radius != 0 || is_driven(contact.candidate) || is_driven(contact.antagonist);
   return turning;
 }
 
@@ -151,6 +151,7 @@ void World<D>::measure_before(double h) {
   // order, where n' and v change alike: 3/4 of the step for n', the whole step for v.
   constexpr double late = 0.875;
   touching_.assign(bodies.size(), false);  // those that collide
+  walked_ = 0;
   for (Contact& contact : contacts_) {
     contact.before = relative_velocity(contact);
     contact.turning.setZero();
@@ -162,9 +163,11 @@ void World<D>::measure_before(double h) {
     contact.turning = turning.rate;
     contact.lasts = turning.lasts;
     contact.before -= (1 - settings_.theta) * h * contact.turning;
+    if (in_middle <= settings_.rest_speed) continue;
     // A contact of a body that spins fast only seems to close in the middle, if it is at rest at the start.
-    const bool rests = !turning.walks && std::abs(contact.before[0]) <= settings_.rest_speed;
-    if (rests || in_middle <= settings_.rest_speed) continue;
+    const bool rests = std::abs(contact.before[0]) <= settings_.rest_speed;
+    if (rests && !turning.walks) continue;
+    if (rests) walked_ = std::max(walked_, in_middle / settings_.rest_speed);
     touching_[contact.candidate] = true;
     if (contact.antagonist >= 0) touching_[contact.antagonist] = true;
   }

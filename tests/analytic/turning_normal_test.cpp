@@ -96,6 +96,22 @@ Judged in_drum(double inner, double radius, double mass, double start, bool roll
   return judge(bench, i, time, at(pendulum(start, w, time)), mass * g * arm * (1 - std::cos(start)));
 }
 
+/// A disk that rolls without slip in a drum that turns: the same swing, and a spin in addition.
+Judged in_turning_drum(double inner, double radius, double mass, double start, double spin, double time,
+                       const WorldSettings& settings) {
+  Material material(0, grip);
+  Bench bench(floor_far_below(), material, settings);
+  const double arm = inner - radius;
+  const auto at = [&](double angle) -> Vec2 { return arm * Vec2(std::sin(angle), -std::cos(angle)); };
+  Body<2> drum = ring(inner, 1);
+  drum.kind = BodyKind::driven;
+  drum.w = spin;
+  bench.add(drum);
+  const int i = bench.add(disk(radius, mass, at(start), {0, 0}, spin * inner / radius));
+  const double end = pendulum(start, std::sqrt(g / arm / 1.5), time);
+  return judge(bench, i, time, at(end), mass * g * arm * (1 - std::cos(start)));
+}
+
 /// A ring that swings on a peg; with grip it rolls on it.
 Judged on_peg(double inner, double radius, double mass, double start, bool rolls, double time,
               const WorldSettings& settings) {
@@ -125,6 +141,26 @@ Judged in_tube(double inner, double radius, double mass, double start, bool roll
   const int i = bench.add(sphere(radius, mass, at(start, 0), {0, along, 0}));
   const double w = std::sqrt(g / arm / (rolls ? 1.4 : 1));
   return judge(bench, i, time, at(pendulum(start, w, time), time), mass * g * arm * (1 - std::cos(start)));
+}
+
+/// A cylinder that swings without friction in a tube, along which it moves.
+Judged cylinder_in_tube(double inner, double radius, double height, double mass, double start, double time,
+                        const WorldSettings& settings) {
+  Material material(0, 0);
+  Bench3 bench(plane_far_below(), material, settings);
+  const double arm = inner - radius, along = 0.15;
+  const auto at = [&](double angle, double t) -> Vec3 {
+    return {arm * std::sin(angle), along * t, -arm * std::cos(angle)};
+  };
+  const Body<3> outer = tube(inner);
+  bench.add(outer);
+  Body<3> body = make_body({Contactor3::cylinder(radius, height)}, 0, mass);
+  body.attitude = outer.attitude;
+  body.x = at(start, 0);
+  body.v = {0, along, 0};
+  const int i = bench.add(body);
+  return judge(bench, i, time, at(pendulum(start, std::sqrt(g / arm), time), time),
+               mass * g * arm * (1 - std::cos(start)));
 }
 
 /// A sphere that rolls on a table which turns: circles with 2/7 of its spin (Weltner 1979).
@@ -299,6 +335,28 @@ TEST_CASE("what swings in a drum, on a peg or in a tube keeps its energy for 10 
       check_swing(on_peg(s.inner, s.radius, s.mass, s.start, rolls, 10, defaults()), s.radius);
       check_swing(in_tube(s.inner, s.radius, s.mass, s.start, rolls, 10, defaults()), s.radius);
     }
+}
+
+TEST_CASE("a disk rolls in a drum that turns, which does not press it") {
+  Dice dice(11);
+  for (int n = 0; n < samples(6); ++n) {
+    const Swing s(dice);
+    const double spin = dice(-5, 5);
+    CAPTURE(s.inner, s.radius, s.start, spin);
+    const double share = over_ten_seconds;
+    CHECK(in_turning_drum(s.inner, s.radius, s.mass, s.start, spin, 10, defaults()).place <
+          share * 2 * s.radius);
+  }
+}
+
+TEST_CASE("the rims of a cylinder do not collide with the tube in which it swings") {
+  Dice dice(12);
+  for (int n = 0; n < samples(4); ++n) {
+    const Swing s(dice);
+    const double height = s.radius * dice(0.2, 3);
+    CAPTURE(s.inner, s.radius, s.start, height);
+    check_swing(cylinder_in_tube(s.inner, s.radius, height, s.mass, s.start, 10, defaults()), s.radius);
+  }
 }
 
 TEST_CASE("a plank rocks on a cylinder and keeps its energy for 10 s at the defaults") {
