@@ -37,7 +37,7 @@ struct Workspace {
   std::vector<Vec3> edges;              ///< of the ground, that leave one of them
   FlatPolyhedron facet_hull;
   Contactor3 edge = Contactor3::pill(Vec3::Zero(), Vec3::Zero(), 0);  ///< of the ground
-  std::vector<HeldContact> mirrored, still_held;
+  std::vector<HeldContact> mirrored, seen_from_outline, still_held;
   std::vector<HeldOnGround> held_on_ground;
   Contacts<3> found, of_other_planes, rest, kept;
   std::vector<double> rises;  ///< of the faces of a hull along an edge

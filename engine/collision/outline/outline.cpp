@@ -41,6 +41,16 @@ Motion3 seen_from(const Motion3& frame, Motion3 motion) {
   return motion;
 }
 
+/// In 2D, a search knows no directions.
+TouchSearch seen_from(Workspace&, const Motion2&, const TouchSearch& search) { return search; }
+TouchSearch seen_from(Workspace& work, const Motion3& frame, TouchSearch search) {
+  const Rotation3 r = frame.turn(0).rotation;
+  work.seen_from_outline.assign(search.held.list.begin(), search.held.list.end());
+  for (HeldContact& held : work.seen_from_outline) held.normal = r.inverse(held.normal);
+  search.held.list = work.seen_from_outline;
+  return search;
+}
+
 double depth_in(const Ground2& ground, const Vec2& place) {
   if (!ground.is_inside(place)) return 0;
   double nearest = 1e300;
@@ -71,8 +81,8 @@ template <int D>
 double outline_gap(Workspace& work, const Placed<D>& other, FeatureId feature, const Placed<D>& outline,
                    FeatureId against, const Vec<D>& normal) {
   const GroundIn<D>& ground = *outline.shape.ground;
-  return feature_gap<D>(work, {other.shape, seen_from(outline.pose, other.pose)}, feature, ground, against,
-                        outline.pose.r.inverse(normal));
+  return feature_gap<D>(work, {other.shape, seen_from(outline.pose, other.pose), other.index}, feature,
+                        ground, against, outline.pose.r.inverse(normal));
 }
 
 template <int D>
@@ -80,7 +90,8 @@ std::optional<double> outline_touch(Workspace& work, const Moving<D>& other, con
                                     double t_max, const TouchSearch& search) {
   const GroundIn<D>& ground = *outline.shape.ground;
   const auto motion = seen_from(outline.motion, other.motion);
-  return time_of_contact<D>(work, {other.shape, motion, other.index}, ground, t_max, search);
+  const TouchSearch seen = seen_from(work, outline.motion, search);
+  return time_of_contact<D>(work, {other.shape, motion, other.index}, ground, t_max, seen);
 }
 
 template <int D>

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "collision/pairs.h"
+#include "dice.h"
 #include "geometry/cone.h"
 #include "geometry/mesh.h"
 #include "scratch.h"
@@ -81,4 +82,29 @@ TEST_CASE("two contactors that touch do so in either order, by contacts, gaps an
       if (!touch) CHECK_FALSE(first);
       if (first && mirrored) CHECK(*first == Approx(*mirrored).margin(1e-9));
     }
+}
+
+TEST_CASE("a contactor with others in its body has the same gaps to an outline as alone") {
+  const Contactor3 cylinder = Contactor3::cylinder(0.3, 0.1), solid = Contactor3::solid(tetrahedron());
+  const Pose3 turned{{0.2, -0.1, 0.3}, Rotation3::from_vector({0.4, -0.7, 1.1})};
+  Dice dice(5);
+  int rims = 0;
+  for (int n = 0; n < 400; ++n) {
+    const Pose3 pose{turned * Vec3(dice(-0.2, 0.8), dice(-0.2, 0.8), dice(-0.2, 0.8)),
+                     Rotation3::from_vector({dice(-3, 3), dice(-3, 3), dice(-3, 3)})};
+    Contacts<3> alone, second;
+    body_contacts(scratch(), {cylinder, pose}, {solid, turned}, 0.05, alone);
+    body_contacts(scratch(), {cylinder, pose, 1}, {solid, turned}, 0.05, second);
+    REQUIRE(alone.size() == second.size());
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+      const auto gap = [&](int index, const ContactPoint<3>& c) {
+        return feature_gap<3>(scratch(), Placed3{cylinder, pose, index}, c.feature, Placed3{solid, turned},
+                              c.against, c.normal);
+      };
+      CHECK(gap(1, second[i]) == gap(0, alone[i]));
+      rims +=
+          kind_of(alone[i].feature) == FeatureKind::edge && kind_of(alone[i].against) != FeatureKind::face;
+    }
+  }
+  CHECK(rims > 20);
 }
