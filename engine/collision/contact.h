@@ -13,8 +13,8 @@ struct ContactPoint {
   Vec<D> point = Vec<D>::Zero();   ///< half-way between the two surfaces
   Vec<D> normal = Vec<D>::Zero();  ///< unit, from the antagonist to the candidate
   double gap = 0;                  ///< negative if they penetrate
-  FeatureId feature = 0;           ///< of the candidate: contactor and its vertex or edge
-  /// Of the antagonist: feature of the terrain, or contactor and vertex or edge of a body
+  FeatureId feature = 0;           ///< of the candidate: contactor and its vertex, edge or face
+  /// Of the antagonist: feature of the terrain, or contactor and vertex, edge or face of a body
   FeatureId against = 0;
 };
 
@@ -27,8 +27,8 @@ struct ShapeFeature {
   int index = 0;
 };
 
-/// Feature ids of a body. A vertex and an edge of the same index (below Contactor2::most_vertices) differ in
-/// the lowest bit.
+/// Feature ids of a body in 2D. A vertex and an edge of the same index (below Contactor2::most_vertices)
+/// differ in the lowest bit.
 inline FeatureId vertex_id(int contactor, int vertex) {
   return static_cast<FeatureId>(contactor) << 16 | static_cast<FeatureId>(vertex) << 1;
 }

@@ -2,18 +2,24 @@
 // Which contacts hold two contactors apart when a search for their time of impact begins, and what follows
 // for the search.
 //
-// World::held_in_flight and World::held_in_step (world/held_contacts.cpp) fill the list. In flight, what it
-// has counts from zero at the start. In a step the solver holds it:
+// World::held_in_flight and World::held_in_step (world/held_contacts.cpp) fill the list: in flight with what
+// the last step or impact left, in a step with what the solver keeps and what has hardly opened. A search
+// asks it for a Hold, and makes Counts of it. In flight, what is held counts from zero at the start, then
+// fully. In a step it is passed over, or may sink:
 //
-//   search                  asks                                   in a step, what is held
-//   plane/, balls, clouds   HeldContacts::counts, two features     never counts
-//   pills, polyhedra        HeldPoints::hold, two points along a   never counts; where the normal drifts, for
-//                             direction (hull/core_search)           1e-3 rad, or may sink by 5e-5
-//   circles                 HeldPair::hold, two sets of pieces     may sink by 1e-5
-//   hollow walls            2D as plane/, 3D HeldPair::counts      never counts; a rim does 60 degrees away
+//   search                                  asks                   held for now     held exactly
+//   2D; centred balls; clouds; one plane    HeldContacts::counts   -                passed over
+//   other balls, pills, polyhedra in 3D     HeldPoints::hold       (1)              passed over
+//   with circles                            HeldPair::hold         (2), (3)         (2)
+//   hollow, half space in 3D                HeldPair::counts       -                passed over, (4)
 //
-// Sinking is in shares of the size; docs/numerics.md, "The length of a step", says why. Lumped masses have a
-// rule of their own: flight/face.h.
+//   (1) a pill: passed over, and (3); an edge on an edge of the ground: may sink by 5e-5 of the size
+//   (2) may sink by 1e-5 of the size deeper than when the search first met it; springs as they like
+//   (3) looked at again before the normal drifts by 1e-3 rad
+//   (4) a rim that is held at one place is searched 60 degrees away from it
+//
+// An outline is searched in its frame, as the ground is. docs/numerics.md, "The length of a step", says why.
+// Lumped masses have a rule of their own: flight/face.h.
 
 #include <span>
 
@@ -23,12 +29,13 @@ namespace flyrock {
 
 /// How a contact holds two points, or pieces of cores, apart along a direction. `exactly`: the direction is
 /// the normal of the contact while the bodies move, because it belongs to the same face or the same two
-/// edges. `for_now`: it is now, but it drifts from it.
+/// edges; where a search knows no directions, and of a ball, any contact of the two. `for_now`: it is now,
+/// but it drifts from it.
 enum class Hold { no, for_now, exactly };
 
-/// How a gap counts in a search. In a step the solver keeps what is held apart, and the search passes over
-/// it: `never`. In flight what is held has opened: at the start it counts `from_zero`, so that rounding is no
-/// touch, and later `fully`, as what is not held always does.
+/// How a gap counts in a search. In a step what is held is passed over: `never`. In flight what is held has
+/// opened: at the start it counts `from_zero`, so that rounding is no touch, and later `fully`, as what is
+/// not held always does.
 enum class Counts { fully, from_zero, never };
 
 /// A contact that exists when the search begins, by its feature ids.
@@ -50,7 +57,7 @@ struct HeldContacts {
   std::span<const HeldContact> list;
   bool are_solved = false;  ///< in a step
 
-  /// Two features that have a contact keep it while they exist.
+  /// Whether the list has a contact of these two features.
   Hold hold(FeatureId feature, FeatureId against) const {
     for (const HeldContact& h : list)
       if (h.feature == feature && h.against == against) return Hold::exactly;

@@ -258,18 +258,18 @@ std::span<const HeldOnGround> held_on(Workspace& work, const Ground3& ground, co
   return found;
 }
 
-TouchSearch without_opened(Workspace& work, const Moving3& c, const Ground3& ground,
-                           const TouchSearch& search) {
-  constexpr double opened_share = 1e-4;  // of the size
+TouchSearch without_distant(Workspace& work, const Moving3& c, const Ground3& ground,
+                            const TouchSearch& search) {
+  constexpr double distant = 1e-4;  // of the size
   work.still_held.clear();
-  const Placed3 start{c.shape, {c.motion.x, c.motion.turn(0).rotation}};
+  const Placed3 start{c.shape, {c.motion.x, c.motion.turn(0).rotation}, c.index};
   for (const HeldContact& h : search.held.list)
     if (contactor_of(h.feature) != c.index ||
-        feature_gap<3>(work, start, h.feature, ground, h.against, h.normal) <= opened_share * search.size)
+        feature_gap<3>(work, start, h.feature, ground, h.against, h.normal) <= distant * search.size)
       work.still_held.push_back(h);
-  TouchSearch closed = search;
-  closed.held.list = work.still_held;
-  return closed;
+  TouchSearch near = search;
+  near.held.list = work.still_held;
+  return near;
 }
 
 }  // namespace flyrock

@@ -12,10 +12,10 @@ namespace flyrock {
 /// The contacts with the ground that exist at the start of a search. Valid until the next call.
 std::span<const HeldOnGround> held_on(Workspace& work, const Ground3& ground, const HeldContacts& held);
 
-/// A search without the contacts of a pill or a contactor with circles that are no longer near: it may leave
-/// an edge and come back to it elsewhere, which is a new touch. Valid until the next call.
-TouchSearch without_opened(Workspace& work, const Moving3& c, const Ground3& ground,
-                           const TouchSearch& search);
+/// A search without the contacts of a pill or a contactor with circles whose gap is above 1e-4 of the size:
+/// it may leave an edge and come back to it elsewhere, which is a new touch. Valid until the next call.
+TouchSearch without_distant(Workspace& work, const Moving3& c, const Ground3& ground,
+                            const TouchSearch& search);
 
 /// Whether a contact with a facet of the ground is in the plane of another facet.
 bool is_in_plane(const HeldOnGround& held, const Facet& facet, double size);
@@ -66,11 +66,15 @@ class HeldPoints {
   static Place place_of(const Moving3& c, FeatureId feature, const MovingState& s);
   static Vec3 normal_of(const Place& a, const Place& b);
   bool agrees(const Vec3& direction, const Place& a, const Place& b) const;
+  /// Whether the two features have a contact; with a ball, any two.
   bool has(FeatureId feature, FeatureId against) const;
   /// Whether one holds the points exactly along a direction of one of the two; `point`: of the other.
   bool holds_on(const Features& of, int point) const;
+  /// Whether two edges have a contact, and have these points.
   bool holds_edges(const Features& of, int i, int j) const;
+  /// Whether a's point i has a contact in the plane of b, the facet of this face.
   bool over(FeatureId face, int i) const;
+  /// Whether a contact with an edge or a vertex of the ground holds the points along its normal.
   bool along_rim(const Vec3& direction, int i, int j, const MovingState& state_of_a) const;
   /// Whether one holds the points now, along a normal that drifts from the direction.
   Hold drifts_from(const Vec3& direction, int i, int j, const MovingState& sa, const MovingState& sb) const;

@@ -57,13 +57,13 @@ constexpr PairRules<2> polygons{hull_contacts, core_gap, hull_touch};
 constexpr PairRules<2> in_drum{hollow_contacts, hollow_gap, hollow_touch};
 constexpr PairRules<2> drum_with{mirrored_contacts<2, hollow_contacts>, mirrored_gap<2, hollow_gap>,
                                  mirrored_touch<2, hollow_touch>};
+// An outline changes the frame only; then the row of the other form in forms_2d or forms_3d answers.
 constexpr PairRules<2> on_line{outline_contacts<2>, outline_gap<2>, outline_touch<2>};
 constexpr PairRules<2> line_with{mirrored_contacts<2, outline_contacts<2>>, mirrored_gap<2, outline_gap<2>>,
                                  mirrored_touch<2, outline_touch<2>>};
 
 constexpr PairRules<3> balls{ball_contacts, core_gap, ball_touch};
-// One is a ball, the other a pill or a hull; the core (of a pill and a ball, the pill) is the first or
-// second.
+// One is a ball, the other a pill or a hull. core_contacts wants the pill first, else the ball.
 constexpr PairRules<3> core_first{core_contacts, core_gap, core_touch<CoreSearch::ball>};
 constexpr PairRules<3> core_second{mirrored_contacts<3, core_contacts>, core_gap,
                                    core_touch<CoreSearch::ball>};

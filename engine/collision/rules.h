@@ -34,7 +34,7 @@ using FindTouchOfGround = FindTouch<D, GroundIn<D>>;
 template <int D>
 using FindPart = TouchingPart<D>(const Placed<D>& shape, FeatureId feature, const Vec<D>& normal);
 
-// Balls, pills and hulls in 2D. The ball of core_contacts is the first.
+// Balls, pills and hulls in 2D; hull_: of all three. The ball of core_contacts is the first.
 FindContacts<2> ball_contacts, core_contacts, hull_contacts;  // plane/contacts_2d
 FindGap<2> core_gap;                                          // plane/gaps_2d
 FindTouch<2> ball_touch, hull_touch;                          // plane/first_touch_2d
@@ -70,7 +70,7 @@ FindGap<3> smooth_gap;                        // smooth/smooth_gap
 FindTouch<3> smooth_touch;                    // smooth/circle_search
 FindOnGround<3> smooth_on_ground;             // smooth/smooth_on_ground
 FindGapToGround<3> smooth_gap_to_ground;      // smooth/smooth_gap
-FindTouchOfGround<3> smooth_touch_of_ground;  // ground/first_touch, facet_touch
+FindTouchOfGround<3> smooth_touch_of_ground;  // ground/first_touch; smooth/circle_search
 FindPart<3> smooth_part;                      // contact_motion
 
 /// An edge or a vertex of the ground as a contactor (smooth/smooth_gap). The first is a segment without a
@@ -92,7 +92,8 @@ FindTouch<3> hollow_touch;
 FindPart<2> hollow_part;  // contact_motion
 FindPart<3> hollow_part, half_space_part;
 
-// Outlines, which are the second: outline/outline.
+// Outlines, which are the second: outline/outline, which sees the other in their frame and asks the rules of
+// the ground.
 template <int D>
 void outline_contacts(Workspace& work, const Placed<D>& other, const Placed<D>& outline, double reach,
                       double turn, Contacts<D>& out);

@@ -28,8 +28,9 @@ struct TouchSearch {
   }
 };
 
-/// What the contacts of two cores hold. A ball has one contact with a convex contactor, whatever its feature;
-/// contacts of a pill hold pairs of points, those of hulls features.
+/// What the contacts of two cores hold: the tables of pairs.cpp choose ball where one is a ball, else pill
+/// where one is a pill. A ball has one contact with a convex contactor, whatever its feature; contacts of a
+/// pill hold pairs of points, those of hulls features.
 enum class CoreSearch { ball, pill, hull };
 
 /// A vertex that is less deep than this share of the size touches each segment, or facet, that it lies below.
@@ -59,7 +60,7 @@ struct Moving<2> {
   int index = 0;  ///< of the contactor in its body, for feature ids
 };
 
-/// A contact with the ground, and where the ground's feature is. World frame, metres.
+/// A contact with the ground, and where the ground's feature is. Frame of the ground, metres.
 struct HeldOnGround : HeldContact {
   std::array<std::uint64_t, 3> vertex{};  ///< of the feature
   int vertices = 0;

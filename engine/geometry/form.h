@@ -3,18 +3,18 @@
 
 namespace flyrock {
 
-/// A contactor is the hull of points, in 3D also of circles, grown by a radius, or is hollow, an
-/// outline, a half space or a cloud. The
-/// functions that make contactors set its form.
+/// A contactor is the hull of points, in 3D also of circles, grown by a radius, or is hollow, an outline, a
+/// half space or a cloud. The functions that make contactors set its form. After each form, shapes of
+/// scenarios that have it.
 enum class Form {
-  ball,        ///< one point: a disk, a sphere; a mass point if the radius is 0
-  pill,        ///< a segment: a pill, in 2D a wall
-  hull,        ///< a convex polygon, whose corners may be round, or a convex polyhedron
-  hollow,      ///< solid outside of a circle or a cylinder, touched from inside: a drum
-  outline,     ///< a solid bounded by segments or triangles, in general not convex: a ground of its own
-  smooth,      ///< the hull of circles and points: a cylinder, a cone; as the next ones in 3D only
-  half_space,  ///< solid below a plane
-  cloud        ///< points without extent, the vertices of a closed surface
+  ball,        ///< one point: disk, pneumatic_disk, sphere; with a radius of 0, point
+  pill,        ///< a segment: pill; in 2D wall
+  hull,        ///< a convex polygon, whose corners may be round, or polyhedron: polygon, box, polyhedron
+  hollow,      ///< solid outside of a circle or a cylinder: hollow_disk, hollow_cylinder
+  outline,     ///< a solid, in general not convex, a ground of its own: polyline, mesh_patch
+  smooth,      ///< the hull of circles and points: cylinder, cone; this and the next two in 3D only
+  half_space,  ///< solid below a plane: plane
+  cloud        ///< points without extent, the vertices of a closed surface: mesh_point
 };
 template <int D>
 inline constexpr int form_count = D == 2 ? 5 : 8;

@@ -215,8 +215,9 @@ Placed<D> World<D>::placed(int body, FeatureId feature, bool at_start) const {
   return {contactor, at_start ? starts_[body].pose() : bodies[body].pose(), index};
 }
 
-/// The gap between the features of a contact, now or at the start of the step [m]. What a held contact drifts
-/// is this at the start, less the gap that is found in the middle.
+/// The gap between the features of a contact, now or at the start of the step [m], by feature_gap
+/// (collision/pairs.h). What a held contact drifts is this at the start, less the gap that is found in the
+/// middle.
 template <int D>
 double World<D>::gap_at(const Contact& c, bool at_start) const {
   // What the radii have changed of it since the start

@@ -100,7 +100,7 @@ bool World<D>::has_rims(const Contact& c) const {
   return false;
 }
 
-/// Those of the last step or impact, which have opened.
+/// Those of the last step or impact: in flight, they count as opened.
 template <int D>
 HeldContacts World<D>::held_in_flight(int body, int other) {
   held_.clear();
@@ -110,11 +110,12 @@ HeldContacts World<D>::held_in_flight(int body, int other) {
   return {held_, false};
 }
 
-/// Those of a step that began at starts_: without the contacts that the last impact opened and that the
-/// step does not hold. They may touch again within the step, while others hold the body. One that opens from
-/// a gap of zero counts as open from the start, unless it is so deep that a search would stop there: of two
-/// bodies; on the ground, only rims do. A point that leaves one side of a valley along the other side is at
-/// once beside the strip of the side that it leaves.
+/// Those that the step from starts_ solves, and those of the last step or impact that it does not solve, as
+/// long as their gap at the start is at most 1e-8 of the size: a search would take them for touches at once.
+/// Left out is what may touch again within the step, while other contacts hold the body: of two bodies
+/// without circles, a contact that opens and is not deep. So is a mass point that leaves the ground: from one
+/// side of a valley along the other, it is at once beside the strip of the side that it leaves. A contact
+/// that opens, of a pair that has none in this step, is told as `opened`.
 template <int D>
 HeldContacts World<D>::held_in_step(int body, int other) {
   constexpr double opening = 1e-8;  // m/s, above rounding

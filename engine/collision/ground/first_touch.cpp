@@ -63,11 +63,11 @@ std::optional<double> touch_of_facets(Workspace& work, const Moving3& c, const G
 template <CoreSearch by>
 std::optional<double> core_touch_of_ground(Workspace& work, const Moving3& core, const Ground3& ground,
                                            double t_max, const TouchSearch& search) {
-  const TouchSearch closed = by == CoreSearch::pill ? without_opened(work, core, ground, search) : search;
-  const auto held = held_on(work, ground, closed.held);
-  return touch_of_facets(work, core, ground, t_max, closed,
+  const TouchSearch near = by == CoreSearch::pill ? without_distant(work, core, ground, search) : search;
+  const auto held = held_on(work, ground, near.held);
+  return touch_of_facets(work, core, ground, t_max, near,
                          [&](const Facet& facet, const TimeWindow& window) {
-                           return core_touch_of_facet(work, core, facet, held, by, window, closed);
+                           return core_touch_of_facet(work, core, facet, held, by, window, near);
                          });
 }
 template FindTouchOfGround<3> core_touch_of_ground<CoreSearch::ball>;
@@ -76,11 +76,11 @@ template FindTouchOfGround<3> core_touch_of_ground<CoreSearch::hull>;
 
 std::optional<double> smooth_touch_of_ground(Workspace& work, const Moving3& shape, const Ground3& ground,
                                              double t_max, const TouchSearch& search) {
-  const TouchSearch closed = without_opened(work, shape, ground, search);
-  const auto held = held_on(work, ground, closed.held);
-  return touch_of_facets(work, shape, ground, t_max, closed,
+  const TouchSearch near = without_distant(work, shape, ground, search);
+  const auto held = held_on(work, ground, near.held);
+  return touch_of_facets(work, shape, ground, t_max, near,
                          [&](const Facet& facet, const TimeWindow& window) {
-                           return smooth_touch_of_facet(work, shape, facet, held, window, closed);
+                           return smooth_touch_of_facet(work, shape, facet, held, window, near);
                          });
 }
 

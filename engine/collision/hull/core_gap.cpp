@@ -23,7 +23,8 @@ Vec3 between_nearest(const Vec3& away, const Vec3& along_a, const Vec3& along_b)
   return away + s * along_a - t * along_b;
 }
 
-/// The distance of two edges along the normal across both. The axis of a pill is never below another edge.
+/// The distance of two edges along the normal across both. With a pill it has no sign: of an axis that
+/// pierces a polyhedron, deeper than its radius, it is wrong.
 double edge_edge(const Placed3& a, int ea, const Placed3& b, int eb) {
   const Vec3 away = edge_start(a, ea) - edge_start(b, eb);
   if (a.shape.faces.empty() || b.shape.faces.empty())

@@ -1,4 +1,4 @@
-// Time of impact of two moving contactors.
+// Time of impact of balls, pills and polyhedra in 3D.
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-// Contacts of a sphere or a pill with a contactor without circles.
+// Contacts of a sphere or a pill with a ball, a pill or a polyhedron.
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-// Contacts of a contactor with circles with any other one.
+// Contacts of a contactor with circles with a ball, a pill, a polyhedron or another one.
 
 #include <algorithm>
 #include <cmath>
