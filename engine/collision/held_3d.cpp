@@ -10,7 +10,7 @@ namespace flyrock {
 
 namespace {
 
-constexpr double same_direction = 1 - 5e-7;  // cosine of 1e-3 rad
+constexpr double same_direction = 1 - 0.5 * drift_angle * drift_angle;  // its cosine
 
 bool contains(const Moving3& c, FeatureId feature, int point) {
   return contains_piece(c.shape, feature_of(feature), point);

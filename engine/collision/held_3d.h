@@ -9,6 +9,9 @@
 
 namespace flyrock {
 
+/// A direction is held as long as the normal of its contact is within this angle of it [rad].
+inline constexpr double drift_angle = 1e-3;
+
 /// The contacts with the ground that exist at the start of a search. Valid until the next call.
 std::span<const HeldOnGround> held_on(Workspace& work, const Ground3& ground, const HeldContacts& held);
 

@@ -50,59 +50,56 @@ std::optional<double> mirrored_touch(Workspace& work, const Moving<D>& a, const 
   return rule(work, b, a, t_max, from_b);
 }
 
+// The rules of a pair. Where one is named first, mirrored is the other order.
+template <int D>
+constexpr PairRules<D> apart;
+template <int D>
+constexpr PairRules<D> inside{hollow_contacts, hollow_gap, hollow_touch};
+template <int D>
+constexpr PairRules<D> around{mirrored_contacts<D, hollow_contacts>, mirrored_gap<D, hollow_gap>,
+                              mirrored_touch<D, hollow_touch>};
+// An outline changes the frame only; then the row of the other form in forms_2d or forms_3d answers.
+template <int D>
+constexpr PairRules<D> on_outline{outline_contacts<D>, outline_gap<D>, outline_touch<D>};
+template <int D>
+constexpr PairRules<D> outline_on{mirrored_contacts<D, outline_contacts<D>>, mirrored_gap<D, outline_gap<D>>,
+                                  mirrored_touch<D, outline_touch<D>>};
+
 constexpr PairRules<2> disks{ball_contacts, core_gap, ball_touch};
 constexpr PairRules<2> disk_hull{core_contacts, core_gap, hull_touch};
 constexpr PairRules<2> hull_disk{mirrored_contacts<2, core_contacts>, core_gap, hull_touch};
 constexpr PairRules<2> polygons{hull_contacts, core_gap, hull_touch};
-constexpr PairRules<2> in_drum{hollow_contacts, hollow_gap, hollow_touch};
-constexpr PairRules<2> drum_with{mirrored_contacts<2, hollow_contacts>, mirrored_gap<2, hollow_gap>,
-                                 mirrored_touch<2, hollow_touch>};
-// An outline changes the frame only; then the row of the other form in forms_2d or forms_3d answers.
-constexpr PairRules<2> on_line{outline_contacts<2>, outline_gap<2>, outline_touch<2>};
-constexpr PairRules<2> line_with{mirrored_contacts<2, outline_contacts<2>>, mirrored_gap<2, outline_gap<2>>,
-                                 mirrored_touch<2, outline_touch<2>>};
 
 constexpr PairRules<3> balls{ball_contacts, core_gap, ball_touch};
-// One is a ball, the other a pill or a hull. core_contacts wants the pill first, else the ball.
-constexpr PairRules<3> core_first{core_contacts, core_gap, core_touch<CoreSearch::ball>};
-constexpr PairRules<3> core_second{mirrored_contacts<3, core_contacts>, core_gap,
-                                   core_touch<CoreSearch::ball>};
-// One is a pill, and none a ball.
-constexpr PairRules<3> pill_with{core_contacts, core_gap, core_touch<CoreSearch::pill>};
-constexpr PairRules<3> with_pill{mirrored_contacts<3, core_contacts>, core_gap, core_touch<CoreSearch::pill>};
+// Of a ball and a hull the ball is first, of a ball and a pill the pill, of a pill and a hull the pill.
+constexpr PairRules<3> of_ball{core_contacts, core_gap, core_touch<CoreSearch::ball>};
+constexpr PairRules<3> ball_of{mirrored_contacts<3, core_contacts>, core_gap, core_touch<CoreSearch::ball>};
+constexpr PairRules<3> of_pill{core_contacts, core_gap, core_touch<CoreSearch::pill>};
+constexpr PairRules<3> pill_of{mirrored_contacts<3, core_contacts>, core_gap, core_touch<CoreSearch::pill>};
 constexpr PairRules<3> hulls{hull_contacts, core_gap, core_touch<CoreSearch::hull>};
 constexpr PairRules<3> smooth{smooth_contacts, smooth_gap, smooth_touch};
-constexpr PairRules<3> inside{hollow_contacts, hollow_gap, hollow_touch};
-constexpr PairRules<3> around{mirrored_contacts<3, hollow_contacts>, mirrored_gap<3, hollow_gap>,
-                              mirrored_touch<3, hollow_touch>};
-constexpr PairRules<3> on_mesh{outline_contacts<3>, outline_gap<3>, outline_touch<3>};
-constexpr PairRules<3> mesh_with{mirrored_contacts<3, outline_contacts<3>>, mirrored_gap<3, outline_gap<3>>,
-                                 mirrored_touch<3, outline_touch<3>>};
 
-template <int D>
-constexpr PairRules<D> apart;
-
-// What meets what: the row is the form of the first, the column that of the second (geometry/form.h;
-// cylinders and cones are smooth).
+// What meets what: the row is the form of the first, the column that of the second (geometry/form.h says
+// which shapes have it).
 // clang-format off
 constexpr PairRules<2> pairs_2d[form_count<2>][form_count<2>] = {
-  //             ball       pill       hull       hollow    outline
-  /* ball */    {disks,     disk_hull, disk_hull, in_drum,  on_line},
-  /* pill */    {hull_disk, polygons,  polygons,  in_drum,  on_line},
-  /* hull */    {hull_disk, polygons,  polygons,  in_drum,  on_line},
-  /* hollow */  {drum_with, drum_with, drum_with, apart<2>, apart<2>},
-  /* outline */ {line_with, line_with, line_with, apart<2>, apart<2>}};
+  //             ball           pill           hull           hollow     outline
+  /* ball */    {disks,         disk_hull,     disk_hull,     inside<2>, on_outline<2>},
+  /* pill */    {hull_disk,     polygons,      polygons,      inside<2>, on_outline<2>},
+  /* hull */    {hull_disk,     polygons,      polygons,      inside<2>, on_outline<2>},
+  /* hollow */  {around<2>,     around<2>,     around<2>,     apart<2>,  apart<2>},
+  /* outline */ {outline_on<2>, outline_on<2>, outline_on<2>, apart<2>,  apart<2>}};
 
 constexpr PairRules<3> pairs_3d[form_count<3>][form_count<3>] = {
-  //                ball         pill         hull        hollow    outline   smooth     half_space cloud
-  /* ball */       {balls,       core_second, core_first, inside,   on_mesh,  smooth,    inside,    apart<3>},
-  /* pill */       {core_first,  pill_with,   pill_with,  inside,   on_mesh,  smooth,    inside,    apart<3>},
-  /* hull */       {core_second, with_pill,   hulls,      inside,   on_mesh,  smooth,    inside,    apart<3>},
-  /* hollow */     {around,      around,      around,     apart<3>, apart<3>, around,    apart<3>,  apart<3>},
-  /* outline */    {mesh_with,   mesh_with,   mesh_with,  apart<3>, apart<3>, mesh_with, apart<3>,  mesh_with},
-  /* smooth */     {smooth,      smooth,      smooth,     inside,   on_mesh,  smooth,    inside,    apart<3>},
-  /* half_space */ {around,      around,      around,     apart<3>, apart<3>, around,    apart<3>,  around},
-  /* cloud */      {apart<3>,    apart<3>,    apart<3>,   apart<3>, on_mesh,  apart<3>,  inside,    apart<3>}};
+  //                ball           pill           hull           hollow     outline        smooth         half_space cloud
+  /* ball */       {balls,         ball_of,       of_ball,       inside<3>, on_outline<3>, smooth,        inside<3>, apart<3>},
+  /* pill */       {of_ball,       of_pill,       of_pill,       inside<3>, on_outline<3>, smooth,        inside<3>, apart<3>},
+  /* hull */       {ball_of,       pill_of,       hulls,         inside<3>, on_outline<3>, smooth,        inside<3>, apart<3>},
+  /* hollow */     {around<3>,     around<3>,     around<3>,     apart<3>,  apart<3>,      around<3>,     apart<3>,  apart<3>},
+  /* outline */    {outline_on<3>, outline_on<3>, outline_on<3>, apart<3>,  apart<3>,      outline_on<3>, apart<3>,  outline_on<3>},
+  /* smooth */     {smooth,        smooth,        smooth,        inside<3>, on_outline<3>, smooth,        inside<3>, apart<3>},
+  /* half_space */ {around<3>,     around<3>,     around<3>,     apart<3>,  apart<3>,      around<3>,     apart<3>,  around<3>},
+  /* cloud */      {apart<3>,      apart<3>,      apart<3>,      apart<3>,  on_outline<3>, apart<3>,      inside<3>, apart<3>}};
 
 constexpr FormRules<2> forms_2d[form_count<2>] = {
   /* ball */    {hull_part, hull_on_ground, hull_gap_to_ground, hull_touch_of_ground},

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "collision/pairs.h"
-#include "collision/safe_time.h"
 #include "world/manifold.h"
 #include "world/world.h"
 

@@ -93,7 +93,7 @@ bool World<D>::is_deep(const Contact& c, double gap, bool at_start) {
 
 /// Whether one of the contactors of a contact has circles.
 template <int D>
-bool World<D>::has_rims(const Contact& c) const {
+bool World<D>::has_circles(const Contact& c) const {
   if constexpr (D == 3)
     return !bodies[c.candidate].contactor_with(c.at.feature).circles.empty() ||
            (c.antagonist >= 0 && !bodies[c.antagonist].contactor_with(c.at.against).circles.empty());
@@ -130,7 +130,7 @@ HeldContacts World<D>::held_in_step(int body, int other) {
     const double gap = gap_at(c, true), size = contact_size(body, other);
     const bool opens = !c.carried && last_after_[a][0] > opening;
     const bool is_apart = gap > apart_share * size;
-    if (opens && other >= 0 && !has_rims(c) && gap >= -GapScale(size).deep) continue;
+    if (opens && other >= 0 && !has_circles(c) && gap >= -GapScale(size).deep) continue;
     const bool leaves = other < 0 && is_point(bodies[body].contactor_with(c.at.feature)) &&
                         starts_[body].v.dot(c.at.normal) > opening;
     if (!is_apart && !leaves) held_.push_back(held_contact(c, opens && !holds));
@@ -147,7 +147,7 @@ std::optional<double> World<D>::first_return(double h) {
   std::optional<double> first;
   for (std::size_t a = 0; a < last_.size(); ++a) {
     const Contact& c = last_[a];
-    if (c.law.condition == NormalCondition::penalty || has_rims(c) || has_same(contacts_, c)) continue;
+    if (c.law.condition == NormalCondition::penalty || has_circles(c) || has_same(contacts_, c)) continue;
     const double end = gap_at(c, false);
     if (end > -sunk * contact_size(c.candidate, c.antagonist) || !is_deep(c, end, false)) continue;
     const double start = std::max(gap_at(c, true), 0.0);

@@ -234,7 +234,7 @@ class World {
   // held_contacts.cpp: which contacts a step holds, and what the search for touches knows of them
   Drift keep_closed_at_start(double h);
   bool is_deep(const Contact& contact, double gap, bool at_start);
-  bool has_rims(const Contact& contact) const;
+  bool has_circles(const Contact& contact) const;
   HeldContacts held_in_step(int body, int other);
   std::optional<double> first_return(double h);
 
@@ -309,8 +309,7 @@ class World {
   std::uint64_t solver_work_ = 0;
   std::vector<int> pressed_;
   StepControl<D> control_;
-  double walked_ =
-      0;  ///< approach of a rim's resting place by the middle of a step, as a multiple of rest_speed
+  double walked_ = 0;       ///< how far a resting rim closes by the middle of a step, in rest_speeds
   double last_step_ = 0;    ///< s
   double reach_time_ = 0;   ///< s, the longer of this step and the last one; fixed steps: their length
   double theta_h_ = 0;      ///< s, theta times the step that is solved; 0 in an impact

@@ -65,10 +65,9 @@ std::optional<double> core_touch_of_ground(Workspace& work, const Moving3& core,
                                            double t_max, const TouchSearch& search) {
   const TouchSearch near = by == CoreSearch::pill ? without_distant(work, core, ground, search) : search;
   const auto held = held_on(work, ground, near.held);
-  return touch_of_facets(work, core, ground, t_max, near,
-                         [&](const Facet& facet, const TimeWindow& window) {
-                           return core_touch_of_facet(work, core, facet, held, by, window, near);
-                         });
+  return touch_of_facets(work, core, ground, t_max, near, [&](const Facet& facet, const TimeWindow& window) {
+    return core_touch_of_facet(work, core, facet, held, by, window, near);
+  });
 }
 template FindTouchOfGround<3> core_touch_of_ground<CoreSearch::ball>;
 template FindTouchOfGround<3> core_touch_of_ground<CoreSearch::pill>;
@@ -78,10 +77,9 @@ std::optional<double> smooth_touch_of_ground(Workspace& work, const Moving3& sha
                                              double t_max, const TouchSearch& search) {
   const TouchSearch near = without_distant(work, shape, ground, search);
   const auto held = held_on(work, ground, near.held);
-  return touch_of_facets(work, shape, ground, t_max, near,
-                         [&](const Facet& facet, const TimeWindow& window) {
-                           return smooth_touch_of_facet(work, shape, facet, held, window, near);
-                         });
+  return touch_of_facets(work, shape, ground, t_max, near, [&](const Facet& facet, const TimeWindow& window) {
+    return smooth_touch_of_facet(work, shape, facet, held, window, near);
+  });
 }
 
 std::optional<double> cloud_touch_of_ground(Workspace& work, const Moving3& cloud, const Ground3& ground,

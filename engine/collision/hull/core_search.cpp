@@ -170,9 +170,8 @@ class PairSearch {
 
   /// The time in which a direction and the normal of a held contact drift apart by a small angle.
   double drift_time(const MovingState& sa, const MovingState& sb, double speed) const {
-    constexpr double small = 1e-3;  // rad
     const double rate = sa.w_max + sb.w_max + speed / (a_.shape.radius + b_.shape.radius);
-    return rate > 0 ? small / rate : forever;
+    return rate > 0 ? drift_angle / rate : forever;
   }
 
   double face_lasts(const Direction& d, const Moving3& reference, const MovingState& sr, const Moving3& other,

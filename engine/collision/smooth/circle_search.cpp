@@ -171,9 +171,8 @@ class CircleSearch {
       see(held_a, held_b, Counts::fully,
           may_sink(lowest(of_a_, held_a, 0) + lowest(of_b_, held_b, 0) + offset, t));
     if (hold == Hold::for_now) {
-      constexpr double small = 1e-3;  // rad, by which the normal of the contact may drift from the direction
       const double rate = sa.w_max + sb.w_max + speed / std::min(search_.size, a_.shape.bound);
-      if (rate > 0) least = std::min(least, within(small / rate, left, forever));
+      if (rate > 0) least = std::min(least, within(drift_angle / rate, left, forever));
     }
     // These follow places of the rims, which turn with the bodies.
     const double w = body_a.w_max + body_b.w_max + turn;
