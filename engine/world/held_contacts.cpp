@@ -138,6 +138,17 @@ HeldContacts World<D>::held_in_step(int body, int other) {
   return {held_, true};
 }
 
+/// How deep the springs of two bodies, or of one on the ground, are pressed in at the start of the step [m].
+/// Other places of the bodies have sunk as deep, and are no new touches.
+template <int D>
+double World<D>::sunk_on_springs(int body, int other) const {
+  double deepest = 0;
+  for (const Contact& c : contacts_)
+    if (c.candidate == body && c.antagonist == other && c.law.condition == NormalCondition::penalty)
+      deepest = std::max(deepest, -gap_at(c, true));
+  return deepest;
+}
+
 /// When the first contact of the last step that this one does not solve has closed again [s]: it opened,
 /// other contacts have turned its body back, and the search for touches may have passed over it. Its gap is
 /// taken for a parabola. Of rims, whose features change all the time, the search bounds how deep they sink.
@@ -160,6 +171,7 @@ std::optional<double> World<D>::first_return(double h) {
 
 #define FLYROCK_INSTANTIATE(D)                                     \
   template World<D>::Drift World<D>::keep_closed_at_start(double); \
+  template double World<D>::sunk_on_springs(int, int) const;       \
   template std::optional<double> World<D>::first_return(double);   \
   template HeldContacts World<D>::held_in_flight(int, int);        \
   template HeldContacts World<D>::held_in_step(int, int)

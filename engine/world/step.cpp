@@ -264,7 +264,8 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
     if (!body.moves()) continue;
     const auto held_here = held_in_step(i, -1);
     if (pass_held && !held_here.list.empty()) continue;
-    const TouchSearch search{held_here, 0.5 * touch(i), body.size, &quality_.toc_iterations};
+    const TouchSearch search{held_here, 0.5 * touch(i) + sunk_on_springs(i, -1), body.size,
+                             &quality_.toc_iterations};
     near_parts(work_, body.parts, starts_[i].pose(), *terrain_, greatest_travel(motions_[i], body.size, h),
                parts_);
     for (const int k : parts_)
@@ -282,7 +283,8 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
     const auto held_here = held_in_step(i, j);
     if (pass_held && !held_here.list.empty()) continue;
     const double size = contact_size(i, j);
-    const TouchSearch search{held_here, 0.5e-9 * size + 0.5e-12, size, &quality_.toc_iterations};
+    const TouchSearch search{held_here, 0.5e-9 * size + 0.5e-12 + sunk_on_springs(i, j), size,
+                             &quality_.toc_iterations};
     const double travel = greatest_travel(motions_[i], a.size, h) + greatest_travel(motions_[j], b.size, h);
     near_parts(work_, a.parts, starts_[i].pose(), b.parts, starts_[j].pose(), travel, part_pairs_);
     for (const auto& [k, l] : part_pairs_)

@@ -236,6 +236,7 @@ class World {
   bool is_deep(const Contact& contact, double gap, bool at_start);
   bool has_circles(const Contact& contact) const;
   HeldContacts held_in_step(int body, int other);
+  double sunk_on_springs(int body, int other) const;
   std::optional<double> first_return(double h);
 
   // ask_laws.cpp: the answers of the contact laws

@@ -195,3 +195,23 @@ TEST_CASE("in 3D a sphere bounces and swings on springs as a disk does") {
   const double expected = slip - slip / w * (1 - std::cos(part));
   CHECK((bench.world.bodies[rolling].v - expected * way).norm() < 2e-5 * slip);
 }
+
+TEST_CASE(
+    "a box slides on springs over a hardly convex edge, as deep in the ground as its springs, without "
+    "touches") {
+  Springs springs({.stiffness = 2e7, .damping = 3000}, 0.4);
+  Mesh mesh;
+  mesh.vertices = {{-2, -2, 0}, {2, -2, 0}, {2, 2, -1e-7}, {-2, 2, 0}};
+  mesh.triangles = {{0, 1, 3}, {1, 2, 3}};
+  mesh.part = {0, 0};
+  mesh.parts = {""};
+  Bench3 bench(mesh, springs, chosen());
+  const Vec3 size(0.115, 0.055, 0.031);
+  Body<3> body = box(size, 0.5, {-0.2, 0.18, 0.5 * size.z()});
+  body.v = {1, 0, 0};
+  body.w = {0, 0, -0.35};
+  bench.add(body);
+  bench.run(0.3);
+  CHECK(bench.world.bodies[0].x.x() > -0.1);
+  CHECK(bench.world.quality().impact_problems < 100);
+}
