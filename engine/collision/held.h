@@ -27,23 +27,23 @@
 
 namespace flyrock {
 
-/// How a contact holds two points, or pieces of cores, apart along a direction. `exactly`: the direction is
-/// the normal of the contact while the bodies move, because it belongs to the same face or the same two
-/// edges; where a search knows no directions, and of a ball, any contact of the two. `for_now`: it is now,
-/// but it drifts from it.
+/// Whether a contact keeps two places apart along a direction. `no`: none does. `exactly`: one does while the
+/// bodies move, because the direction is the normal of its face or of its two edges. `for_now`: one does now,
+/// but its normal drifts from the direction. Searches that know no directions, and those of balls, ask only
+/// whether the two have a contact: `exactly`.
 enum class Hold { no, for_now, exactly };
 
-/// How a gap counts in a search. In a step what is held is passed over: `never`. In flight what is held has
-/// opened: at the start it counts `from_zero`, so that rounding is no touch, and later `fully`, as what is
-/// not held always does.
+/// How a gap counts in a search. In a step what is held does not: `never`; a search that lets it sink a
+/// little looks for that apart. In flight what is held has opened: at the start it counts `from_zero`, so
+/// that rounding is no touch, and later `fully`, as what is not held always does.
 enum class Counts { fully, from_zero, never };
 
 /// A contact that exists when the search begins, by its feature ids.
 struct HeldContact {
   FeatureId feature = 0;
   FeatureId against = 0;
-  /// In a step: the last impact or step opened it, and this step holds no contact of the pair. HeldPair then
-  /// counts as in flight.
+  /// In a step: the last impact or step opened it, and this step holds no contact of the two bodies. HeldPair
+  /// then counts as in flight.
   bool opened = false;
   bool yields = false;         ///< a spring: its bodies sink into each other
   Vec3 normal = Vec3::Zero();  ///< in 3D, from the antagonist; zero where it is not known

@@ -34,7 +34,8 @@ using FindTouchOfGround = FindTouch<D, GroundIn<D>>;
 template <int D>
 using FindPart = TouchingPart<D>(const Placed<D>& shape, FeatureId feature, const Vec<D>& normal);
 
-// Balls, pills and hulls in 2D; hull_: of all three. The ball of core_contacts is the first.
+// Balls, pills and hulls in 2D; on the ground, hull_ is for all three. The ball of core_contacts is the
+// first.
 FindContacts<2> ball_contacts, core_contacts, hull_contacts;  // plane/contacts_2d
 FindGap<2> core_gap;                                          // plane/gaps_2d
 FindTouch<2> ball_touch, hull_touch;                          // plane/first_touch_2d
