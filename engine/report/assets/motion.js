@@ -40,7 +40,9 @@ function motion_section() {
   if (!data.motion) return;
   section_of_point("Motion over time", () => {
     const motion = data.motion[shown.point];
-    if (!motion) return [paragraph("note", "Nothing is stored of this sweep point: the page has the first twelve points with stored paths.")];
+    if (!motion) return [paragraph("note", Object.values(data.motion).some(Boolean)
+      ? "Nothing is stored of this sweep point: the page has the first twelve points with stored paths."
+      : no_trajectory)];
     const graphs = [time_graph("height", motion.bodies, (body) => body.height, "m"), time_graph("speed", motion.bodies, (body) => body.speed, "m/s")];
     const energy = motion.energy;
     if (energy.t.length > 0) {

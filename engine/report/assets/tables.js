@@ -210,7 +210,8 @@ function warnings_parts() {
   if (warnings.length > most_warnings) parts.push(fold(`${warnings.length - most_warnings} more`, list(warnings.slice(most_warnings))));
   const idle = [...not_used, ...not_asked];
   if (idle.length > 0)
-    parts.push(fold(`${[counted(not_used.length, "key", "keys"), ...(not_asked.length > 0 ? [counted(not_asked.length, "law", "laws")] : [])].join(" and ")} of the scenario changed nothing in this run`,
+    parts.push(fold(`${[[not_used, "key", "keys"], [not_asked, "law", "laws"]].filter(([of]) => of.length > 0)
+      .map(([of, one, many]) => counted(of.length, one, many)).join(" and ")} of the scenario changed nothing in this run`,
       list(idle), caption("Either it is not needed here, or another model was meant to read it.")));
   return parts;
 }

@@ -1,5 +1,7 @@
 // The paths of rocks, coloured by mode of travel, and in 2D over the profile.
 
+const no_trajectory = "No trajectory was stored (output.trajectories).";
+
 const mode_lines = [
   { color: colour.blue, width: 1, dash: "solid" },
   { color: colour.vermillion, width: 1, dash: "solid" },
@@ -133,7 +135,7 @@ function draw_tracks(node, point, crossings, tracks, shrouds) {
 function tracks_section() {
   if (summary.dimension === 3) return;  // space.js and plan.js
   if (data.points.every((point) => point.tracks.list.length === 0)) {
-    section("Trajectories", paragraph("note", "No trajectory was stored (output.trajectories)."));
+    section("Trajectories", paragraph("note", no_trajectory));
     return;
   }
   const node = plot_node("Trajectories over the terrain, coloured by mode of travel; the tables below hold the shares");
