@@ -41,7 +41,8 @@ double safe_root(const Function& f, double slope, double end, const GapScale& sc
     const double fall = (at_low - value) / (t - low);
     low = t;
     at_low = value;
-    const double beyond = fall > 0 ? t + value / fall * (1 + 1e-9) : high;
+    // Where the function still rises, no line tells how far away the root is, and chords creep.
+    const double beyond = fall > 0 ? t + value / fall * (1 + 1e-9) : low + 0.25 * (high - low);
     if (beyond >= high) continue;
     const double at_beyond = g(beyond);
     if (at_beyond > 0)

@@ -1,9 +1,9 @@
 // Lower bounds of a gap over time, by which the search for the time of impact advances.
 
-#include "collision/safe_time.h"
-
 #include <catch2/catch.hpp>
 #include <random>
+
+#include "collision/safe_root.h"
 
 using namespace flyrock;
 
@@ -46,4 +46,22 @@ TEST_CASE("a pair that has just separated is open until its bound returns to zer
   CHECK(thrown.safe_time(0.1, scale, Counts::from_zero) == 0.1);
   CHECK(GapBound{0, -1, -9.81, 0, 9.81}.safe_time(10, scale, Counts::from_zero) == 0);
   CHECK(GapBound{-1e-3, 1, 0, 0, 0}.safe_time(10, scale, Counts::fully) == 0);  // too deep to recover
+}
+
+TEST_CASE("the root of a concave bound is found at any scale, also where the bound rises first") {
+  std::mt19937 rng(4);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const GapScale scale(1);
+  const auto any = [&](double low, double high) { return low * std::pow(high / low, unit(rng)); };
+  for (int k = 0; k < 5000; ++k) {
+    const double gap = any(1e-11, 1), bend = any(1, 1e7), slope = (unit(rng) < 0.5 ? -1 : 1) * any(1e-6, 100);
+    const double speed = std::sqrt(slope * slope + 2 * gap * bend);  // at the root
+    const double root = slope > 0 ? (slope + speed) / bend : 2 * gap / (speed - slope);
+    const double end = root * any(1.1, 1e6);
+    const auto bound = [&](double t) { return gap + t * (slope - 0.5 * bend * t); };
+    const double time = safe_root(bound, slope, end, scale, Counts::fully);
+    INFO("case " << k << ": " << time << " s of " << root << " s");
+    REQUIRE(time <= root * (1 + 1e-9));
+    REQUIRE(time >= root * (1 - 1e-5));
+  }
 }
