@@ -138,15 +138,15 @@ HeldContacts World<D>::held_in_step(int body, int other) {
   return {held_, true};
 }
 
-/// How deep the springs of two bodies, or of one on the ground, are pressed in at the start of the step [m].
-/// Other places of the bodies have sunk as deep, and are no new touches.
+/// How deep other places of two bodies, or of one on the ground, may be in each other in a step because their
+/// springs yield [m]. They are springs, too, and act as soon as a step finds them, without a touch.
 template <int D>
 double World<D>::sunk_on_springs(int body, int other) const {
   double deepest = 0;
   for (const Contact& c : contacts_)
     if (c.candidate == body && c.antagonist == other && c.law.condition == NormalCondition::penalty)
-      deepest = std::max(deepest, -gap_at(c, true));
-  return deepest;
+      deepest = std::max({deepest, -gap_at(c, true), -gap_at(c, false)});
+  return 2 * deepest;
 }
 
 /// When the first contact of the last step that this one does not solve has closed again [s]: it opened,
