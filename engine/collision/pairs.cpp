@@ -50,7 +50,8 @@ std::optional<double> mirrored_touch(Workspace& work, const Moving<D>& a, const 
   return rule(work, b, a, t_max, from_b);
 }
 
-// The rules of a pair. Where one is named first, mirrored is the other order.
+// The rules of two forms. Those of a hollow contactor or an outline want it second: `around` and `outline_on`
+// turn the order round.
 template <int D>
 constexpr PairRules<D> apart;
 template <int D>

@@ -139,7 +139,8 @@ HeldContacts World<D>::held_in_step(int body, int other) {
 }
 
 /// How deep other places of two bodies, or of one on the ground, may be in each other in a step because their
-/// springs yield [m]. They are springs, too, and act as soon as a step finds them, without a touch.
+/// springs yield [m]. Mostly they are springs, too, and act as soon as a step finds them, without a touch;
+/// rigid places on another part of the ground are found as much later.
 template <int D>
 double World<D>::sunk_on_springs(int body, int other) const {
   double deepest = 0;
