@@ -103,6 +103,7 @@ std::optional<double> advance(Search&& search, const TimeWindow& window, std::ui
   const double end = window.b;
   double t = window.a;
   constexpr int most_iterations = 500;
+  constexpr double still = 1e-15;  // s, in which no body moves by the accuracy of the search
   for (int i = 0; i < most_iterations; ++i) {
     if (evaluate(clearance, t) > 0) {
       const auto meet = first_fall(clearance, t, end);
@@ -113,9 +114,8 @@ std::optional<double> advance(Search&& search, const TimeWindow& window, std::ui
     const double step = search.lasts(t);
     if (step <= 0) return t;
     if (step >= end - t) return std::nullopt;
-    const double next = t + step;
-    if (next <= t) return t;  // below the resolution of time
-    t = next;
+    if (step <= still || t + step <= t) return t;
+    t += step;
   }
   return t;
 }
