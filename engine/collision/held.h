@@ -56,6 +56,7 @@ struct HeldContact {
 struct HeldContacts {
   std::span<const HeldContact> list;
   bool are_solved = false;  ///< in a step
+  double sunk = 0;          ///< m, the deepest overlap of their springs at the start or end of the step
 
   /// Whether the list has a contact of these two features.
   Hold hold(FeatureId feature, FeatureId against) const {

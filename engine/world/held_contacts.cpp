@@ -50,7 +50,7 @@ typename World<D>::Drift World<D>::keep_closed_at_start(double h) {
   Drift drift;
   std::erase_if(contacts_, [&](const Contact& c) {
     const double reach = carry_reach(c.candidate, c.antagonist);
-    const double closed_alone = 1e-12 + 1e-9 * contact_size(c.candidate, c.antagonist);
+    const double closed_alone = touch(c.candidate, c.antagonist);
     const double gap = gap_at(c, true);
     // One that the last impact opened may close again at once; the search for touches takes it for closed.
     const bool is_near = gap > closed_alone && gap <= apart_share * contact_size(c.candidate, c.antagonist);
@@ -120,8 +120,12 @@ template <int D>
 HeldContacts World<D>::held_in_step(int body, int other) {
   constexpr double opening = 1e-8;  // m/s, above rounding
   held_.clear();
-  for (const Contact& c : contacts_)
-    if (c.candidate == body && c.antagonist == other) held_.push_back(held_contact(c));
+  double sunk = 0;
+  for (const Contact& c : contacts_) {
+    if (c.candidate != body || c.antagonist != other) continue;
+    held_.push_back(held_contact(c));
+    if (held_.back().yields) sunk = std::max({sunk, -gap_at(c, true), -gap_at(c, false)});
+  }
   const bool holds = !held_.empty();
   for (std::size_t a = 0; a < last_.size(); ++a) {
     const Contact& c = last_[a];
@@ -135,19 +139,7 @@ HeldContacts World<D>::held_in_step(int body, int other) {
                         starts_[body].v.dot(c.at.normal) > opening;
     if (!is_apart && !leaves) held_.push_back(held_contact(c, opens && !holds));
   }
-  return {held_, true};
-}
-
-/// How deep other places of two bodies, or of one on the ground, may be in each other in a step because their
-/// springs yield [m]. Mostly they are springs, too, and act as soon as a step finds them, without a touch;
-/// rigid places on another part of the ground are found as much later.
-template <int D>
-double World<D>::sunk_on_springs(int body, int other) const {
-  double deepest = 0;
-  for (const Contact& c : contacts_)
-    if (c.candidate == body && c.antagonist == other && c.law.condition == NormalCondition::penalty)
-      deepest = std::max({deepest, -gap_at(c, true), -gap_at(c, false)});
-  return 2 * deepest;
+  return {held_, true, sunk};
 }
 
 /// When the first contact of the last step that this one does not solve has closed again [s]: it opened,
@@ -172,7 +164,6 @@ std::optional<double> World<D>::first_return(double h) {
 
 #define FLYROCK_INSTANTIATE(D)                                     \
   template World<D>::Drift World<D>::keep_closed_at_start(double); \
-  template double World<D>::sunk_on_springs(int, int) const;       \
   template std::optional<double> World<D>::first_return(double);   \
   template HeldContacts World<D>::held_in_flight(int, int);        \
   template HeldContacts World<D>::held_in_step(int, int)

@@ -259,13 +259,17 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
   const auto consider = [&](std::optional<double> t) {
     if (t && (!first || *t < *first)) first = t;
   };
+  // While springs yield, other places of the bodies may lie as deep in each other. Mostly they are springs,
+  // too, and act as soon as a step finds them; rigid places of another part of the ground are found later.
+  const auto search_for = [&](const HeldContacts& held, int i, int j) {
+    return TouchSearch{held, 0.5 * touch(i, j) + 2 * held.sunk, contact_size(i, j), &quality_.toc_iterations};
+  };
   for (int i = 0; i < static_cast<int>(bodies.size()); ++i) {
     const Body<D>& body = bodies[i];
     if (!body.moves()) continue;
     const auto held_here = held_in_step(i, -1);
     if (pass_held && !held_here.list.empty()) continue;
-    const TouchSearch search{held_here, 0.5 * touch(i) + sunk_on_springs(i, -1), body.size,
-                             &quality_.toc_iterations};
+    const TouchSearch search = search_for(held_here, i, -1);
     near_parts(work_, body.parts, starts_[i].pose(), *terrain_, greatest_travel(motions_[i], body.size, h),
                parts_);
     for (const int k : parts_)
@@ -282,9 +286,7 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
     if (!a.present || !b.present || (!a.moves() && !b.moves())) continue;
     const auto held_here = held_in_step(i, j);
     if (pass_held && !held_here.list.empty()) continue;
-    const double size = contact_size(i, j);
-    const TouchSearch search{held_here, 0.5e-9 * size + 0.5e-12 + sunk_on_springs(i, j), size,
-                             &quality_.toc_iterations};
+    const TouchSearch search = search_for(held_here, i, j);
     const double travel = greatest_travel(motions_[i], a.size, h) + greatest_travel(motions_[j], b.size, h);
     near_parts(work_, a.parts, starts_[i].pose(), b.parts, starts_[j].pose(), travel, part_pairs_);
     for (const auto& [k, l] : part_pairs_)

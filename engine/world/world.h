@@ -186,8 +186,8 @@ class World {
   double carry_reach(int candidate, int antagonist) const;
   /// The size of the smaller of two bodies that move, or of the only one [m].
   double contact_size(int candidate, int antagonist) const;
-  /// The gap below which a contact of a body is closed: 1e-9 size + 1e-12 m.
-  double touch(int body) const { return 1e-9 * bodies[body].size + 1e-12; }
+  /// The gap below which a contact of two bodies, or of one with the ground, is closed [m].
+  double touch(int body, int other = -1) const { return 1e-9 * contact_size(body, other) + 1e-12; }
 
  private:
   /// The columns of H^T of a contact for its two bodies; zero for the terrain.
@@ -236,7 +236,6 @@ class World {
   bool is_deep(const Contact& contact, double gap, bool at_start);
   bool has_circles(const Contact& contact) const;
   HeldContacts held_in_step(int body, int other);
-  double sunk_on_springs(int body, int other) const;
   std::optional<double> first_return(double h);
 
   // ask_laws.cpp: the answers of the contact laws
