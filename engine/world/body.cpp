@@ -144,4 +144,10 @@ Vec3 free_spin(const Body<3>& body, double h, double theta, const Vec3& by_conta
   return r * w;
 }
 
+double free_spin_rate(const Body<3>& body) {
+  if (body.inertia.minCoeff() <= 0) return 0;
+  const Vec3 w = body.attitude.rotation.inverse(body.w);
+  return w.cross(body.inertia.cwiseProduct(w)).cwiseQuotient(body.inertia).norm();
+}
+
 }  // namespace flyrock

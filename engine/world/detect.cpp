@@ -36,6 +36,19 @@ double World<D>::carry_reach(int candidate, int antagonist) const {
   return reach_within(reach_time_, candidate, antagonist);
 }
 
+/// The gap that a contact which is closed at the start of a step may have in its middle: carry_reach, and
+/// what the gyroscopic moment of its bodies holds closed as their weight does. One end of a log that rolls
+/// and yaws rises by many times g h^2 / 8 in half a step, while its load holds it down.
+template <int D>
+double World<D>::reach_in_middle(int candidate, int antagonist) const {
+  constexpr double most = 1e-3;  // of the size
+  double reach = carry_reach(candidate, antagonist);
+  for (const int i : {candidate, antagonist})
+    if (i >= 0 && bodies[i].moves())
+      reach += bodies[i].size * std::min(most, 0.25 * reach_time_ * reach_time_ * free_spin_rate(bodies[i]));
+  return reach;
+}
+
 template <int D>
 const std::vector<std::pair<int, int>>& World<D>::near_pairs(double dt) {
   boxes_.clear();
@@ -51,7 +64,7 @@ const std::vector<std::pair<int, int>>& World<D>::close_pairs() {
   boxes_.clear();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const auto pose = bodies[i].pose();
-    const double reach = carry_reach(static_cast<int>(i), -1);
+    const double reach = reach_in_middle(static_cast<int>(i), -1);
     auto& box = boxes_.emplace_back(typename Geometry<D>::Box{pose.x, pose.x});
     for (const auto& contactor : bodies[i].contactors) {
       const auto core = core_box(Placed<D>{contactor, pose});
@@ -86,7 +99,7 @@ void World<D>::detect(double ahead) {
     const Body<D>& body = bodies[i];
     if (body.moves()) {
       points_.clear();
-      const double reach = carry_reach(i, -1);
+      const double reach = reach_in_middle(i, -1);
       near_parts(work_, body.parts, body.pose(), *terrain_, reach, parts_);
       for (const int k : parts_)
         terrain_contacts<D>(work_, Placed<D>{body.contactors[k], body.pose(), k}, *terrain_, reach,
@@ -97,7 +110,7 @@ void World<D>::detect(double ahead) {
       const Body<D>& other = bodies[pair->second];
       if (!body.present || !other.present || (!body.moves() && !other.moves())) continue;
       points_.clear();
-      const double reach = carry_reach(i, pair->second);
+      const double reach = reach_in_middle(i, pair->second);
       near_parts(work_, body.parts, body.pose(), other.parts, other.pose(), reach, part_pairs_);
       for (const auto& [k, l] : part_pairs_)
         body_contacts(work_, Placed<D>{body.contactors[k], body.pose(), k},
@@ -255,6 +268,7 @@ void World<D>::measure_penetration() {
   template double World<D>::contact_size(int, int) const;                        \
   template double World<D>::carry_reach(int, int) const;                         \
   template double World<D>::reach_within(double, int, int) const;                \
+  template double World<D>::reach_in_middle(int, int) const;                     \
   template const std::vector<std::pair<int, int>>& World<D>::near_pairs(double); \
   template void World<D>::detect(double);                                        \
   template void World<D>::keep_closed(double);                                   \

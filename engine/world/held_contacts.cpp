@@ -50,13 +50,14 @@ typename World<D>::Drift World<D>::keep_closed_at_start(double h) {
   Drift drift;
   std::erase_if(contacts_, [&](const Contact& c) {
     const double reach = carry_reach(c.candidate, c.antagonist);
+    const double in_middle = reach_in_middle(c.candidate, c.antagonist);
     const double closed_alone = touch(c.candidate, c.antagonist);
     const double gap = gap_at(c, true);
     // One that the last impact opened may close again at once; the search for touches takes it for closed.
     const bool is_near = gap > closed_alone && gap <= apart_share * contact_size(c.candidate, c.antagonist);
     const double closed = c.carried || (is_near && has_same(last_, c)) ? reach : closed_alone;
-    const double may_drift = 3 * reach;
-    if (c.at.gap > reach || gap > closed || (!c.carried && gap < -may_drift && !is_deep(c, gap, true)))
+    const double may_drift = 3 * in_middle;
+    if (c.at.gap > in_middle || gap > closed || (!c.carried && gap < -may_drift && !is_deep(c, gap, true)))
       return true;
     if (c.carried && !has_same(last_, c) && gap - c.at.gap > 3 * reach_within(h, c.candidate, c.antagonist) &&
         gap > closed_alone)

@@ -226,6 +226,7 @@ class World {
                             std::span<const Contact> now) const;
   void keep_closed(double share_of_size);
   double reach_within(double h, int candidate, int antagonist) const;
+  double reach_in_middle(int candidate, int antagonist) const;
   Placed<D> placed(int body, FeatureId feature, bool at_start) const;
   double gap_of_solver(const Contact& contact) const;
   double gap_at(const Contact& contact, bool at_start) const;

@@ -143,4 +143,34 @@ TEST_CASE("a pill comes to rest in the valley of two fixed pills, and across two
   }
 }
 
+TEST_CASE("a log that rolls and yaws keeps both ends down while its weight holds its gyroscopic moment") {
+  // The moment I_a p W of the spins p about the axis and W about the vertical is held by loads that differ by
+  // 2 I_a p W / L, as long as this is below m g; L is the length of the line on which the log lies. In half a
+  // step one end rises by p W L h^2 / 16, many times what gravity would make of it.
+  const double length = 1.2, radius = 0.15, yaw = 6, share = GENERATE(0.5, 0.9);
+  const bool is_pill = GENERATE(true, false);
+  Body<3> log = is_pill ? pill(length, radius, 300, {0, 0, radius}, Vec3::UnitX())
+                        : make_body({Contactor3::cylinder(radius, length)}, 0, 300);
+  if (!is_pill) log.attitude = Rotation3::from_vector({0, pi / 2, 0}) * log.attitude.rotation;
+  log.x = {0, 0, radius};
+  const double along = log.attitude.rotation.inverse(Vec3::UnitX()).cwiseAbs2().dot(log.inertia);
+  const double roll = share * log.mass * gravity * length / (2 * along * yaw);
+  log.v = {0.3, 0.2, 0};
+  log.w = {roll, 0, yaw};
+  Material material(0.3, 0);
+  Bench3 bench(plane(), material);
+  const int i = bench.add(log);
+  const double time = 2, before = energy_of(log);
+  const BodyHistory& history = bench.run(time);
+  const Body<3>& last = bench.world.bodies[i];
+  INFO((is_pill ? "pill" : "cylinder") << ", " << share << " of the greatest moment");
+  const Vec3 axis(std::cos(yaw * time), std::sin(yaw * time), 0);
+  CHECK((last.w - roll * axis - Vec3(0, 0, yaw)).norm() < 1e-3 * roll);
+  CHECK((last.x - log.x - time * log.v).norm() < 1e-6);
+  CHECK(energy_of(last) == Approx(before).epsilon(1e-6));
+  CHECK(history.impacts.empty());
+  CHECK(history.last.time == Approx(time));
+  CHECK(bench.world.quality().max_penetration < 1e-4 * length);
+}
+
 }  // namespace pill_3d_test
