@@ -166,7 +166,7 @@ void World<D>::measure_before(double h) {
     if (in_middle <= settings_.rest_speed) continue;
     // A contact of a body that spins fast only seems to close in the middle, if it is at rest at the start.
     const bool rests = std::abs(contact.before[0]) <= settings_.rest_speed;
-    if (rests && !turning.walks) continue;
+    if (rests && (!turning.walks || !chooses_steps())) continue;
     if (rests) walked_ = std::max(walked_, in_middle / settings_.rest_speed);
     touching_[contact.candidate] = true;
     if (contact.antagonist >= 0) touching_[contact.antagonist] = true;

@@ -144,10 +144,15 @@ Vec3 free_spin(const Body<3>& body, double h, double theta, const Vec3& by_conta
   return r * w;
 }
 
+Vec3 gyroscopic_moment(const Body<3>& body, const Vec3& w) {
+  const Vec3 own = body.attitude.rotation.inverse(w);
+  return body.attitude.rotation * Vec3(own.cross(body.inertia.cwiseProduct(own)));
+}
+
 double free_spin_rate(const Body<3>& body) {
   if (body.inertia.minCoeff() <= 0) return 0;
-  const Vec3 w = body.attitude.rotation.inverse(body.w);
-  return w.cross(body.inertia.cwiseProduct(w)).cwiseQuotient(body.inertia).norm();
+  const Vec3 moment = body.attitude.rotation.inverse(gyroscopic_moment(body, body.w));
+  return moment.cwiseQuotient(body.inertia).norm();
 }
 
 }  // namespace flyrock

@@ -297,6 +297,8 @@ class World {
   void save();
   void restore();
   void forget_steps();
+  typename Space<D>::Spin foreseen_push(std::size_t body, double h) const;
+  bool pushed_otherwise(double h) const;
   std::optional<double> first_touch(double h, bool pass_held);
   void project_drift(bool exact);
   Outcome keep(double duration, bool new_touch);
@@ -354,6 +356,7 @@ class World {
   std::vector<double> island_gain_;  ///< J, energy that an island gains, minus what rounding allows
   /// rad/s2, of each body: the change of its spin by contacts in the last step; empty: unknown, taken as zero
   std::vector<typename Space<D>::Spin> by_contacts_;
+  std::vector<typename Space<D>::Spin> foreseen_;  ///< rad/s, of each body, that change as this step takes it
   std::vector<typename Space<D>::Spin>
       free_spins_;  ///< rad/s, of each body, without the contacts of the step
   /// m/s2 and rad/s2, of each body: the rate of its velocity in the last step; empty: unknown
