@@ -14,6 +14,9 @@ namespace {
 // Of the size: a contact that the last impact opened, and that is nearer, would be found as a touch at once.
 constexpr double apart_share = 1e-8;
 
+// Of the size: the greatest gap or overlap that a contact may have for not being looked at again in a step.
+constexpr double step_share = 2e-5;
+
 /// Whether a contactor is a point at the centre of mass.
 template <class Contactor>
 bool is_point(const Contactor& shape) {
@@ -49,15 +52,20 @@ template <int D>
 typename World<D>::Drift World<D>::keep_closed_at_start(double h) {
   Drift drift;
   std::erase_if(contacts_, [&](const Contact& c) {
+    const double size = contact_size(c.candidate, c.antagonist);
     const double reach = carry_reach(c.candidate, c.antagonist);
     const double in_middle = reach_in_middle(c.candidate, c.antagonist);
     const double closed_alone = touch(c.candidate, c.antagonist);
     const double gap = gap_at(c, true);
     // One that the last impact opened may close again at once; the search for touches takes it for closed.
-    const bool is_near = gap > closed_alone && gap <= apart_share * contact_size(c.candidate, c.antagonist);
+    const bool is_near = gap > closed_alone && gap <= apart_share * size;
     const double closed = c.carried || (is_near && has_same(last_, c)) ? reach : closed_alone;
     const double may_drift = 3 * in_middle;
     if (c.at.gap > in_middle || gap > closed || (!c.carried && gap < -may_drift && !is_deep(c, gap, true)))
+      return true;
+    // One that the last impact opened, and that is apart in the middle, is left to the search for touches.
+    const bool yields = c.law.condition == NormalCondition::penalty;
+    if (!c.carried && !yields && c.at.gap > std::max(gap, 0.0) + step_share * size && has_same(last_, c))
       return true;
     if (c.carried && !has_same(last_, c) && gap - c.at.gap > 3 * reach_within(h, c.candidate, c.antagonist) &&
         gap > closed_alone)
@@ -67,11 +75,9 @@ typename World<D>::Drift World<D>::keep_closed_at_start(double h) {
     drift.penetration = std::max(drift.penetration, -std::max(gap, c.at.gap));
     // A chosen step may be so long that the drift of bodies on others would be seen as overlap.
     constexpr double most_drift = 5e-5;  // of the size
-    const double size = contact_size(c.candidate, c.antagonist);
     const double most =
         chooses_steps() && c.antagonist >= 0 ? std::min(may_drift, most_drift * size) : may_drift;
-    if (c.law.condition != NormalCondition::penalty)
-      drift.share = std::max(drift.share, (std::min(gap, 0.0) - c.at.gap) / most);
+    if (!yields) drift.share = std::max(drift.share, (std::min(gap, 0.0) - c.at.gap) / most);
     return false;
   });
   return drift;
@@ -148,13 +154,13 @@ HeldContacts World<D>::held_in_step(int body, int other) {
 /// taken for a parabola. Of rims, whose features change all the time, the search bounds how deep they sink.
 template <int D>
 std::optional<double> World<D>::first_return(double h) {
-  constexpr double sunk = 2e-5, soon = 1e-3;  // of the size; of the step
+  constexpr double soon = 1e-3;  // of the step
   std::optional<double> first;
   for (std::size_t a = 0; a < last_.size(); ++a) {
     const Contact& c = last_[a];
     if (c.law.condition == NormalCondition::penalty || has_circles(c) || has_same(contacts_, c)) continue;
     const double end = gap_at(c, false);
-    if (end > -sunk * contact_size(c.candidate, c.antagonist) || !is_deep(c, end, false)) continue;
+    if (end > -step_share * contact_size(c.candidate, c.antagonist) || !is_deep(c, end, false)) continue;
     const double start = std::max(gap_at(c, true), 0.0);
     const double opens = h * std::max(last_after_[a][0], 0.0);
     const double returns = h * std::max(soon, (start + opens) / (start + opens - end));
