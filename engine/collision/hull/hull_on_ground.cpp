@@ -1,6 +1,7 @@
 // Contacts of polyhedra with the ground: edges with convex edges of the ground, faces with its peaks.
 
 #include <algorithm>
+#include <cmath>
 
 #include "collision/ground/ground_contact.h"
 #include "collision/rules.h"
@@ -69,6 +70,9 @@ class RimContacts {
  private:
   // Edges whose angle has a smaller sine than this are parallel; vertices then give the contacts.
   static constexpr double parallel_sine = 1e-6;
+  // Of the size: an edge in a notch of a ridge touches both of its legs. While it slides along one of them,
+  // its place on the other is so little beyond the end.
+  static constexpr double notch_share = 1e-5;
 
   /// How far the polyhedron lies above the plane through `on` [m].
   double lowest_along(const Vec3& normal, const Vec3& on) const {
@@ -98,7 +102,8 @@ class RimContacts {
     const double aa = da.squaredNorm(), bb = db.squaredNorm(), ab = da.dot(db);
     const double s = (ab * db.dot(away) - bb * da.dot(away)) / (aa * bb - ab * ab);
     const double t = (ab * s + db.dot(away)) / bb;
-    if (std::min(s, t) < -region_slack || std::max(s, t) > 1 + region_slack) return;
+    const double beyond = notch_share * p_.shape.bound / std::sqrt(bb);
+    if (s < -region_slack || s > 1 + region_slack || t < -beyond || t > 1 + beyond) return;
     out_.push_back(
         {0.5 * (a + s * da + b + t * db), normal, gap, p_.id({FeatureKind::edge, e}), f.edge_feature(i)});
   }
