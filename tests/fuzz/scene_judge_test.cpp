@@ -87,3 +87,32 @@ output: { series: { every: step }, trajectories: { first: 1 } }
   scene.law_gains = true;
   CHECK(verdict_of(scene).empty());
 }
+
+TEST_CASE("Scenes in which the judge has found a fault move as bodies do") {
+  Scene scene;
+  scene.fall = 3;
+  // A pill that rolls and yaws: one end left the ground in each step, and 477 impacts gave it 24 J.
+  scene.text = R"(flyrock: 1
+dimension: 3
+method: nscd
+terrain: { type: plane, point: [0, 0, 0], normal: [0, 0, 1], material: m }
+materials: { m: { restitution: { type: newton, en: 0.23893, form: energy } } }
+bodies:
+  - { name: pill, shape: { type: pill, length: 1.1831, radius: 0.24661 }, density: 2700, material: m, position: [0.081356, -0.56095, 2.62504], orientation: { axis: [0.81759, -0.79327, 1], angle: 209.92 deg }, velocity: [-3.7503, 2.0058, -1.639], spin: [-10.514, 14.305, 9.4008] }
+stop: { time: 2.1387 s }
+output: { series: { every: step }, trajectories: { first: 1 } }
+)";
+  CHECK(verdict_of(scene) == "");
+  // A coin: an impact lifted one side by 2 cm/s, and the next step drew it down, 4e-5 m into the ground.
+  scene.text = R"(flyrock: 1
+dimension: 3
+method: nscd
+terrain: { type: plane, point: [0, 0, 0], normal: [0, 0, 1], material: m }
+materials: { m: { restitution: { type: newton, en: 0.235548 }, rolling: { type: rolling_resistance, mu_r: 0.072791 m } } }
+bodies:
+  - { name: coin, shape: { type: cylinder, radius: 0.12146, height: 0.010907 }, density: 2700, material: m, position: [-0.6863, -0.32116, 2.51185], orientation: { axis: [0.28487, -0.45813, 1], angle: 125.94 deg }, velocity: [-2.2113, 0.5827, -1.5848], spin: [-2.099, 4.8398, 3.8644] }
+stop: { time: 1.1532 s }
+output: { series: { every: step }, trajectories: { first: 1 } }
+)";
+  CHECK(verdict_of(scene) == "");
+}

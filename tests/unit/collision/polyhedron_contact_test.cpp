@@ -65,6 +65,33 @@ TEST_CASE("a sphere and a box on a plane") {
   CHECK(contacts.empty());
 }
 
+TEST_CASE(
+    "an edge in a notch of a ridge touches both of its legs, also when it has moved along one of them") {
+  Mesh mesh;
+  mesh.parts = {""};
+  for (const double y : {-1, 0, 1})
+    for (const double x : {-1, 0, 1}) mesh.vertices.push_back({x, y, 0.5 * std::abs(x) - 0.8 * std::abs(y)});
+  for (const int i : {0, 1, 3, 4}) {
+    mesh.triangles.push_back({i, i + 1, i + 3});
+    mesh.triangles.push_back({i + 1, i + 4, i + 3});
+  }
+  mesh.part.assign(mesh.triangles.size(), 0);
+  const Terrain3 saddle{mesh};
+  const Rotation3 on_edge = Rotation3::from_vector({0, pi / 4, 0});
+  for (const double moved : {0.0, 1e-9, -3e-7, 5e-7}) {
+    const Placed3 box{cube, {Vec3(moved, 0, std::sqrt(0.5) + 0.5 * std::abs(moved)), on_edge}};
+    Contacts<3> contacts;
+    terrain_contacts(scratch(), indexed(box, 3), saddle, 1e-6, 0, contacts);
+    INFO("moved by " << moved);
+    REQUIRE(contacts.size() == 2);
+    CHECK(contacts[0].normal.dot(contacts[1].normal) == Approx(0.6));
+    for (const auto& c : contacts) {
+      const bool is_left = c.normal.x() > 0;
+      CHECK(c.gap == Approx(std::max(0.0, is_left ? moved : -moved) * c.normal.z()).margin(1e-15));
+    }
+  }
+}
+
 TEST_CASE("of many contacts the deepest and the widest four are kept, and share the area") {
   Contacts<3> contacts;
   for (int i = 0; i < 12; ++i) {
