@@ -176,8 +176,7 @@ bool goes_on(const Spin& push, const Spin& w, double h, double last_h) {
 inline double free_spin(const Body<2>& body, double, double, double) { return body.w; }
 Vec3 free_spin(const Body<3>& body, double h, double theta, const Vec3& by_contacts);
 
-/// The gyroscopic moment w x I w [N m] of a spin w, world frame; 0 in 2D.
-inline double gyroscopic_moment(const Body<2>&, double) { return 0; }
+/// The gyroscopic moment w x I w [N m] of a spin w, world frame.
 Vec3 gyroscopic_moment(const Body<3>& body, const Vec3& w);
 
 /// How fast the spin changes without torque [rad/s2]: |I^-1 (w x I w)|; 0 of a body without inertia.

@@ -14,7 +14,7 @@ namespace {
 // Of the size: a contact that the last impact opened, and that is nearer, would be found as a touch at once.
 constexpr double apart_share = 1e-8;
 
-// Of the size: the greatest gap or overlap that a contact may have for not being looked at again in a step.
+// Of the size: a contact with a greater gap or overlap is looked at again within the step.
 constexpr double step_share = 2e-5;
 
 /// Whether a contactor is a point at the centre of mass.
