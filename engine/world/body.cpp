@@ -144,15 +144,20 @@ Vec3 free_spin(const Body<3>& body, double h, double theta, const Vec3& by_conta
   return r * w;
 }
 
+namespace {
+
+/// w x I w [N m], all in the frame of the body.
+Vec3 own_moment(const Body<3>& body, const Vec3& w) { return w.cross(body.inertia.cwiseProduct(w)); }
+
+}  // namespace
+
 Vec3 gyroscopic_moment(const Body<3>& body, const Vec3& w) {
-  const Vec3 own = body.attitude.rotation.inverse(w);
-  return body.attitude.rotation * Vec3(own.cross(body.inertia.cwiseProduct(own)));
+  return body.attitude.rotation * own_moment(body, body.attitude.rotation.inverse(w));
 }
 
 double free_spin_rate(const Body<3>& body) {
   if (body.inertia.minCoeff() <= 0) return 0;
-  const Vec3 moment = body.attitude.rotation.inverse(gyroscopic_moment(body, body.w));
-  return moment.cwiseQuotient(body.inertia).norm();
+  return own_moment(body, body.attitude.rotation.inverse(body.w)).cwiseQuotient(body.inertia).norm();
 }
 
 }  // namespace flyrock
