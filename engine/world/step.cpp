@@ -57,34 +57,6 @@ void World<D>::forget_steps() {
   gains_.clear();
 }
 
-/// The change of the spin that contacts are expected to make in a step [rad/s].
-template <int D>
-typename Space<D>::Spin World<D>::foreseen_push(std::size_t i, double h) const {
-  const typename Space<D>::Spin push = h * by_contacts_[i];
-  return goes_on(push, bodies[i].w, h, last_step_) ? push : Space<D>::no_spin();
-}
-
-/// Whether the contacts of a step have changed the spin of a body so much otherwise than free_spin foresaw,
-/// by p instead of q, that its energy errs by a notable share, namely by
-///   h theta (p - q) . (w_th x I w_th),  w_th of free_spin.
-/// So it may be in the first step after an impact, when nothing is foreseen.
-template <int D>
-bool World<D>::pushed_otherwise(double h) const {
-  constexpr double notable = 1e-7;
-  if constexpr (D == 3) {
-    const double theta = settings_.theta;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      const Body<3>& body = bodies[i];
-      if (!body.moves()) continue;
-      const Vec3 middle = (1 - theta) * starts_[i].w + theta * (free_spins_[i] + foreseen_[i]);
-      const Vec3 missed = body.w - free_spins_[i] - foreseen_[i];
-      const double error = h * theta * missed.dot(gyroscopic_moment(body, middle));
-      if (std::abs(error) > notable * (body.kinetic_energy() + body.mass * g_ * body.size)) return true;
-    }
-  }
-  return false;
-}
-
 /// The Moreau-Jean step:
 ///   q_m = q + h (1 - theta) v          positions where contacts are detected
 ///   v_free = v + h (g + a_air),  w_free from free_spin
@@ -96,7 +68,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   const double theta = settings_.theta;
   by_contacts_.resize(bodies.size(), Space<D>::no_spin());
   foreseen_.resize(bodies.size());
-  free_spins_.resize(bodies.size());
+  free_.resize(bodies.size());
   const auto drift = [&](double dt) {
     for (Body<D>& body : bodies)
       if (body.present && body.kind != BodyKind::fixed) {
@@ -111,7 +83,6 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   bool new_touch = false;
   double error = 0;
   Drift drifted;
-  int pushes_found = 0;  // how often this try has been made again with the pushes that it had found
   for (int cuts = 0, refinements = 0, refusals = 0;;) {
     drift((1 - theta) * h);
     detect((1 - theta) * h);
@@ -133,9 +104,9 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
       Body<D>& body = bodies[i];
       body.v += h * body.acceleration(gravity_);
       if (!body.moves()) continue;
-      if (pushes_found == 0) foreseen_[i] = foreseen_push(i, h);
+      foreseen_[i] = foreseen_push(i, h);
       body.w = free_spin(body, h, theta, foreseen_[i]);
-      free_spins_[i] = body.w;
+      free_[i] = body.velocity();
       if (body.breathes()) body.breathing.now.rate = body.breathing.free_rate(body.spin_speed(), h, theta);
     }
     begin_manifolds();
@@ -144,14 +115,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     last_solve_ = {};
     pressed_.clear();
     if (!contacts_.empty()) solve_and_apply();
-    if (pushes_found < most_pushes && pushed_otherwise(h)) {
-      ++pushes_found;
-      for (std::size_t i = 0; i < bodies.size(); ++i)
-        if (bodies[i].moves()) foreseen_[i] = bodies[i].w - free_spins_[i];
-      restore();
-      continue;
-    }
-    pushes_found = 0;
+    for (int again = 0; again < most_pushes && pushed_otherwise(h); ++again) solve_with_found_pushes(h);
     drift(theta * h);
     measure_after(h);
     if (chooses && refusals++ < most_refusals) {
@@ -189,7 +153,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (bodies[i].moves()) energy_given_ += bodies[i].mass * bodies[i].push.dot(bodies[i].x - starts_[i].x);
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (bodies[i].moves()) by_contacts_[i] = (bodies[i].w - free_spins_[i]) / h;
+    if (bodies[i].moves()) by_contacts_[i] = push_of_contacts(i) / h;
   project_drift(cut);
   time += h;
   last_step_ = h;
@@ -332,69 +296,6 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
                                   first.value_or(h), search));
   }
   return first;
-}
-
-/// Persistent contacts keep their gap only to second order in h. This stage closes the remaining gap by
-/// displacements M^-1 H_n lambda; the spin turns with its body, so that this gives no energy. A contact
-/// without impulse is only pushed out of penetration, never pulled closed. Where the gaps cannot all be
-/// closed, as of a sphere over several facets of a pit, the last passes only push, so that no contact is
-/// closed at the cost of another. The deep penetrations of fixed time steps (`exact` false) are kept, as in
-/// LMGC90.
-template <int D>
-void World<D>::project_drift(bool exact) {
-  if (contacts_.empty()) return;
-  const int closing = contacts_.size() == 1 ? 1 : 3;  // passes; the first one closes a single contact
-  constexpr int most_pushes = 20;
-  // Shares of the size. A step pushes a body out by no more than `deepest`, because more would throw it; a
-  // penetration less deep than `left` waits for the next step.
-  constexpr double deepest = 1e-3, left = 1e-6;
-  drift_.assign(bodies.size(), Body<D>::Rows::Zero());
-  swell_.assign(bodies.size(), 0.0);
-  gaps_.clear();
-  for (const Contact& c : contacts_) {
-    const double gap = gap_at(c, false);
-    const double reach = carry_reach(c.candidate, c.antagonist);
-    const double most = exact ? std::max(reach, deepest * contact_size(c.candidate, c.antagonist)) : reach;
-    const bool near = gap <= reach && (exact || gap >= -most);
-    gaps_.push_back(near && c.law.condition != NormalCondition::penalty ? std::optional(std::max(gap, -most))
-                                                                        : std::nullopt);
-  }
-  const auto gap_of = [&](std::size_t a) {
-    const Contact& c = contacts_[a];
-    double gap = *gaps_[a];
-    for_bodies(a, [&](int i, const auto& columns) { gap += columns.col(0).dot(drift_[i]); });
-    for (const int i : {c.candidate, c.antagonist})
-      if (i >= 0 && bodies[i].breathes()) gap += bodies[i].breathing.side * swell_[i];
-    return gap;
-  };
-  const auto close = [&](std::size_t a, double gap) {
-    const double lambda = -gap / problem_.contacts[a].w(0, 0);
-    for_bodies(a, [&](int i, const auto& columns) {
-      drift_[i] += bodies[i].inverse_mass_times(lambda * columns.col(0));
-      if (bodies[i].breathes()) swell_[i] += mobility_of_shape(i) * bodies[i].breathing.side * lambda;
-    });
-  };
-  for (int pass = 0; pass < closing; ++pass)
-    for (std::size_t a = 0; a < contacts_.size(); ++a)
-      if (gaps_[a])
-        if (const double gap = gap_of(a); contacts_[a].impulse[0] > 0 || gap < 0) close(a, gap);
-  bool pushed = exact;
-  for (int pass = 0; pass < most_pushes && pushed; ++pass) {
-    pushed = false;
-    for (std::size_t a = 0; a < contacts_.size(); ++a) {
-      if (!gaps_[a]) continue;
-      const double gap = gap_of(a);
-      if (gap >= -left * contact_size(contacts_[a].candidate, contacts_[a].antagonist)) continue;
-      close(a, gap);
-      pushed = true;
-    }
-  }
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (bodies[i].moves()) {
-      bodies[i].displace(drift_[i]);
-      if constexpr (D == 3) bodies[i].w = Rotation3::from_vector(Space<3>::spin_of(drift_[i])) * bodies[i].w;
-      if (bodies[i].breathes()) bodies[i].swell(swell_[i]);
-    }
 }
 
 /// Keeps the contacts for the next step, and reports whether any of them stays closed.

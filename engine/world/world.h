@@ -297,11 +297,17 @@ class World {
   void save();
   void restore();
   void forget_steps();
-  typename Space<D>::Spin foreseen_push(std::size_t body, double h) const;
-  bool pushed_otherwise(double h) const;
   std::optional<double> first_touch(double h, bool pass_held);
-  void project_drift(bool exact);
   Outcome keep(double duration, bool new_touch);
+
+  // pushes.cpp: the pushes of contacts on spins, which the gyroscopic moment of a step feels
+  typename Space<D>::Spin foreseen_push(std::size_t body, double h) const;
+  typename Space<D>::Spin push_of_contacts(std::size_t body) const;
+  bool pushed_otherwise(double h) const;
+  void solve_with_found_pushes(double h);
+
+  // project_drift.cpp: closes the gaps that a step leaves
+  void project_drift(bool exact);
 
   const Terrain* terrain_;
   Vec<D> gravity_;
@@ -357,8 +363,7 @@ class World {
   /// rad/s2, of each body: the change of its spin by contacts in the last step; empty: unknown, taken as zero
   std::vector<typename Space<D>::Spin> by_contacts_;
   std::vector<typename Space<D>::Spin> foreseen_;  ///< rad/s, of each body, that change as this step takes it
-  std::vector<typename Space<D>::Spin>
-      free_spins_;  ///< rad/s, of each body, without the contacts of the step
+  std::vector<typename Body<D>::Rows> free_;       ///< velocity of each body without the contacts of the step
   /// m/s2 and rad/s2, of each body: the rate of its velocity in the last step; empty: unknown
   std::vector<typename Body<D>::Rows> gains_;
   std::vector<double> doubt_;          ///< m/s, of each body

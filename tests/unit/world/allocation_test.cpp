@@ -65,10 +65,11 @@ long allocations_in_space(double seconds, bool exact, bool mesh) {
 
 TEST_CASE("the step loop in space does not allocate") {
   const bool exact = GENERATE(true, false), mesh = GENERATE(false, true);
-  const long warm = allocations_in_space(2, exact, mesh);
+  // By 3 s the box has landed flat, so that the buffers have the greatest number of contacts.
+  const long warm = allocations_in_space(3, exact, mesh);
   // On triangles a box lands again and again, and some of its impacts go to the second solver. An allocation
   // a step would be 4000.
-  CHECK(allocations_in_space(6, exact, mesh) <= warm + (mesh ? 600 : 8));
+  CHECK(allocations_in_space(9, exact, mesh) <= warm + (mesh ? 600 : 8));
   // One problem of the landing goes to the second solver, whose sparse factors take about 500.
   CHECK(warm < 1200);
 }

@@ -1,0 +1,75 @@
+// Closes the gaps that a step leaves at its contacts.
+
+#include <algorithm>
+
+#include "world/world.h"
+
+namespace flyrock {
+
+/// Persistent contacts keep their gap only to second order in h. This stage closes the remaining gap by
+/// displacements M^-1 H_n lambda; the spin turns with its body, so that this gives no energy. A contact
+/// without impulse is only pushed out of penetration, never pulled closed. Where the gaps cannot all be
+/// closed, as of a sphere over several facets of a pit, the last passes only push, so that no contact is
+/// closed at the cost of another. The deep penetrations of fixed time steps (`exact` false) are kept, as in
+/// LMGC90.
+template <int D>
+void World<D>::project_drift(bool exact) {
+  if (contacts_.empty()) return;
+  const int closing = contacts_.size() == 1 ? 1 : 3;  // passes; the first one closes a single contact
+  constexpr int most_pushes = 20;
+  // Shares of the size. A step pushes a body out by no more than `deepest`, because more would throw it; a
+  // penetration less deep than `left` waits for the next step.
+  constexpr double deepest = 1e-3, left = 1e-6;
+  drift_.assign(bodies.size(), Body<D>::Rows::Zero());
+  swell_.assign(bodies.size(), 0.0);
+  gaps_.clear();
+  for (const Contact& c : contacts_) {
+    const double gap = gap_at(c, false);
+    const double reach = carry_reach(c.candidate, c.antagonist);
+    const double most = exact ? std::max(reach, deepest * contact_size(c.candidate, c.antagonist)) : reach;
+    const bool near = gap <= reach && (exact || gap >= -most);
+    gaps_.push_back(near && c.law.condition != NormalCondition::penalty ? std::optional(std::max(gap, -most))
+                                                                        : std::nullopt);
+  }
+  const auto gap_of = [&](std::size_t a) {
+    const Contact& c = contacts_[a];
+    double gap = *gaps_[a];
+    for_bodies(a, [&](int i, const auto& columns) { gap += columns.col(0).dot(drift_[i]); });
+    for (const int i : {c.candidate, c.antagonist})
+      if (i >= 0 && bodies[i].breathes()) gap += bodies[i].breathing.side * swell_[i];
+    return gap;
+  };
+  const auto close = [&](std::size_t a, double gap) {
+    const double lambda = -gap / problem_.contacts[a].w(0, 0);
+    for_bodies(a, [&](int i, const auto& columns) {
+      drift_[i] += bodies[i].inverse_mass_times(lambda * columns.col(0));
+      if (bodies[i].breathes()) swell_[i] += mobility_of_shape(i) * bodies[i].breathing.side * lambda;
+    });
+  };
+  for (int pass = 0; pass < closing; ++pass)
+    for (std::size_t a = 0; a < contacts_.size(); ++a)
+      if (gaps_[a])
+        if (const double gap = gap_of(a); contacts_[a].impulse[0] > 0 || gap < 0) close(a, gap);
+  bool pushed = exact;
+  for (int pass = 0; pass < most_pushes && pushed; ++pass) {
+    pushed = false;
+    for (std::size_t a = 0; a < contacts_.size(); ++a) {
+      if (!gaps_[a]) continue;
+      const double gap = gap_of(a);
+      if (gap >= -left * contact_size(contacts_[a].candidate, contacts_[a].antagonist)) continue;
+      close(a, gap);
+      pushed = true;
+    }
+  }
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (bodies[i].moves()) {
+      bodies[i].displace(drift_[i]);
+      if constexpr (D == 3) bodies[i].w = Rotation3::from_vector(Space<3>::spin_of(drift_[i])) * bodies[i].w;
+      if (bodies[i].breathes()) bodies[i].swell(swell_[i]);
+    }
+}
+
+template void World<2>::project_drift(bool);
+template void World<3>::project_drift(bool);
+
+}  // namespace flyrock

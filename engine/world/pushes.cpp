@@ -1,0 +1,72 @@
+// The pushes of contacts on the spins of bodies, which the gyroscopic moment of a step feels.
+
+#include "world/world.h"
+
+namespace flyrock {
+
+/// The change of the spin that contacts are expected to make in a step [rad/s].
+template <int D>
+typename Space<D>::Spin World<D>::foreseen_push(std::size_t i, double h) const {
+  const typename Space<D>::Spin push = h * by_contacts_[i];
+  return goes_on(push, bodies[i].w, h, last_step_) ? push : Space<D>::no_spin();
+}
+
+/// The change of the spin by the contacts of the step that has been solved [rad/s].
+template <int D>
+typename Space<D>::Spin World<D>::push_of_contacts(std::size_t i) const {
+  return bodies[i].w - Space<D>::spin_of(free_[i]);
+}
+
+/// Whether the contacts of a step have changed the spin of a body so much otherwise than free_spin foresaw,
+/// by p instead of q, that its energy errs by a notable share, namely by
+///   h theta (p - q) . (w_th x I w_th),  w_th of free_spin.
+/// So it may be in the first step after an impact, when nothing is foreseen.
+template <int D>
+bool World<D>::pushed_otherwise(double h) const {
+  constexpr double notable = 1e-7;
+  if constexpr (D == 3) {
+    const double theta = settings_.theta;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const Body<3>& body = bodies[i];
+      if (!body.moves()) continue;
+      const Vec3 middle = (1 - theta) * starts_[i].w + theta * (Space<3>::spin_of(free_[i]) + foreseen_[i]);
+      const Vec3 missed = push_of_contacts(i) - foreseen_[i];
+      const double error = h * theta * missed.dot(gyroscopic_moment(body, middle));
+      if (std::abs(error) > notable * (body.kinetic_energy() + body.mass * g_ * body.size)) return true;
+    }
+  }
+  return false;
+}
+
+/// Solves the step anew with the pushes that it has found. Only u_free changes with them; the solver starts
+/// from the impulses that it has found.
+template <int D>
+void World<D>::solve_with_found_pushes(double h) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    Body<D>& body = bodies[i];
+    if (!body.moves()) continue;
+    foreseen_[i] = push_of_contacts(i);
+    const typename Body<D>::Rows before = free_[i];
+    body.v = before.template head<D>();
+    body.w = starts_[i].w;
+    body.w = free_spin(body, h, settings_.theta, foreseen_[i]);
+    free_[i] = body.velocity();
+    for (const int a : contacts_of_[i]) {
+      const auto& columns =
+          contacts_[a].candidate == static_cast<int>(i) ? rows_[a].candidate : rows_[a].antagonist;
+      problem_.contacts[a].q += columns.transpose() * (free_[i] - before);
+    }
+  }
+  solve_and_apply();
+}
+
+#define FLYROCK_INSTANTIATE(D)                                                \
+  template Space<D>::Spin World<D>::foreseen_push(std::size_t, double) const; \
+  template Space<D>::Spin World<D>::push_of_contacts(std::size_t) const;      \
+  template bool World<D>::pushed_otherwise(double) const;                     \
+  template void World<D>::solve_with_found_pushes(double)
+FLYROCK_INSTANTIATE(2);
+FLYROCK_INSTANTIATE(3);
+#undef FLYROCK_INSTANTIATE
+
+}  // namespace flyrock
