@@ -186,14 +186,13 @@ void World<D>::measure_before(double h) {
 /// corner would leave it by w^2 h^2 / 2 times the lever in each step. `warm`: start from the forces of the
 /// last step (warm start). If the loads are not unique, the solver finds the solution nearest to its start.
 template <int D>
-void World<D>::assemble(double h, bool warm) {
+void World<D>::assemble(double h, double warm) {
   const auto turns = [](const Contact& c) { return c.law.mu_r > 0 || c.law.mu_spin > 0; };
   problem_.clear(std::any_of(contacts_.begin(), contacts_.end(), turns) ? Problem::rows : D);
   theta_h_ = settings_.theta * h;
   rows_.clear();
   impulses_.clear();
   for (auto& list : contacts_of_) list.clear();
-  const double scale = last_step_ > 0 ? h / last_step_ : 1;
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
     Contact& contact = contacts_[a];
     ContactRows rows;
@@ -212,7 +211,7 @@ void World<D>::assemble(double h, bool warm) {
     row.q = relative_velocity(contact) + settings_.theta * h * contact.turning;
     row.w.setZero();
     problem_.contacts.push_back(row);
-    impulses_.push_back(warm && contact.carried ? Row(scale * contact.impulse) : Row::Zero());
+    impulses_.push_back(warm * contact.impulse);
   }
   if (problem_.width() == D)
     couple<D>();
@@ -275,7 +274,7 @@ void World<D>::scale_by_island(double h) {
   template double World<D>::mobility_of_shape(int) const;                   \
   template World<D>::Row World<D>::relative_velocity(const Contact&) const; \
   template void World<D>::measure_before(double);                           \
-  template void World<D>::assemble(double, bool)
+  template void World<D>::assemble(double, double)
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);
 #undef FLYROCK_INSTANTIATE

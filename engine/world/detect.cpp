@@ -14,6 +14,17 @@ namespace {
 // sliding contact is missed for one step, its velocity error is mu g h.
 constexpr double carry_share = 1e-6;
 
+template <int D>
+bool same_features(const WorldContact<D>& a, const WorldContact<D>& b) {
+  return a.at.feature == b.at.feature && a.at.against == b.at.against;
+}
+
+template <int D>
+bool is_among(std::span<const WorldContact<D>> contacts, const WorldContact<D>& contact) {
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [&](const WorldContact<D>& c) { return same_features<D>(c, contact); });
+}
+
 }  // namespace
 
 template <int D>
@@ -131,9 +142,6 @@ template <int D>
 const typename World<D>::Contact* World<D>::carried_on(const Contact& contact, std::span<const Contact> last,
                                                        std::span<const Contact> now) const {
   constexpr double same_place = 1e-3;  // of the size
-  const auto same_features = [](const ContactPoint<D>& a, const ContactPoint<D>& b) {
-    return a.feature == b.feature && a.against == b.against;
-  };
   const auto passed_on = [&](const ContactPoint<D>& from, const ContactPoint<D>& to) {
     if (contact.antagonist < 0)
       return from.feature == to.feature && next_to(*terrain_, from.against, to.against);
@@ -143,26 +151,40 @@ const typename World<D>::Contact* World<D>::carried_on(const Contact& contact, s
     return a.is_outline() && from.against == to.against &&
            next_to(*a.contactors[0].ground, from.feature, to.feature);
   };
-  const auto still_found = [&](const Contact& old) {
-    return std::any_of(now.begin(), now.end(), [&](const Contact& c) { return same_features(c.at, old.at); });
-  };
   const Contact* found = nullptr;
   for (const Contact& old : last) {
-    if (same_features(old.at, contact.at)) return &old;
+    if (same_features<D>(old, contact)) return &old;
     if (same_direction<D>(old.at.normal, contact.at.normal) && passed_on(old.at, contact.at) &&
-        !still_found(old))
+        !is_among<D>(now, old))
       found = &old;
   }
   if (found) return found;
   double nearest = same_place * contact_size(contact.candidate, contact.antagonist);
   for (const Contact& old : last) {
     const double distance = (old.at.point - contact.at.point).norm();
-    if (distance > nearest || !same_direction<D>(old.at.normal, contact.at.normal) || still_found(old))
+    if (distance > nearest || !same_direction<D>(old.at.normal, contact.at.normal) || is_among<D>(now, old))
       continue;
     nearest = distance;
     found = &old;
   }
   return found;
+}
+
+/// The overlap from which a spring of `penalty` counts that begins now [m]. While springs yield, other places
+/// of their bodies lie as deep in each other, and their features may come to face each other only then, as an
+/// edge and a corner over which it turns. A spring that began with all of this overlap would give energy that
+/// nobody has put in. What the place can have closed in two steps, and what the contacts had that end now,
+/// does not count.
+template <int D>
+double World<D>::overlap_at_birth(const Contact& contact, std::span<const Contact> last,
+                                  std::span<const Contact> now) const {
+  constexpr double small = 1e-4;  // of the size
+  const double overlap = -contact.at.gap;
+  if (overlap <= small * contact_size(contact.candidate, contact.antagonist)) return 0;
+  double known = 2 * reach_time_ * std::max(0.0, -relative_velocity(contact)[0]);
+  for (const Contact& old : last)
+    if (!is_among<D>(now, old)) known = std::max(known, old.compression(old.at.gap));
+  return overlap > known ? overlap - known : 0;
 }
 
 template <int D>
@@ -183,8 +205,12 @@ void World<D>::match_last() {
     for (; a < end; ++a) {
       Contact& contact = contacts_[a];
       const Contact* found = carried_on(contact, last, now);
-      if (!found) continue;
-      contact.impulse = found->impulse;
+      if (!found) {
+        contact.born = overlap_at_birth(contact, last, now);
+        continue;
+      }
+      contact.born = std::min(found->born, std::max(0.0, -contact.at.gap));
+      if (found->carried) contact.impulse = found->impulse;
       contact.law = found->law;
       contact.mu_before = found->mu();
       contact.c_t_before = found->law.c_t;

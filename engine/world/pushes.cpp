@@ -38,25 +38,19 @@ bool World<D>::pushed_otherwise(double h) const {
   return false;
 }
 
-/// Solves the step anew with the pushes that it has found. Only u_free changes with them; the solver starts
-/// from the impulses that it has found.
+/// Solves the step anew with the pushes that it has found, from the impulses that it has found.
 template <int D>
 void World<D>::solve_with_found_pushes(double h) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     Body<D>& body = bodies[i];
     if (!body.moves()) continue;
     foreseen_[i] = push_of_contacts(i);
-    const typename Body<D>::Rows before = free_[i];
-    body.v = before.template head<D>();
+    body.v = free_[i].template head<D>();
     body.w = starts_[i].w;
     body.w = free_spin(body, h, settings_.theta, foreseen_[i]);
     free_[i] = body.velocity();
-    for (const int a : contacts_of_[i]) {
-      const auto& columns =
-          contacts_[a].candidate == static_cast<int>(i) ? rows_[a].candidate : rows_[a].antagonist;
-      problem_.contacts[a].q += columns.transpose() * (free_[i] - before);
-    }
   }
+  assemble(h, 1);
   solve_and_apply();
 }
 

@@ -32,7 +32,7 @@ template <int D>
 void World<D>::apply_spring(int a, double h) {
   Contact& contact = contacts_[a];
   const Spring& spring = contact.law.spring;
-  const double w = problem_.contacts[a].w(0, 0), overlap = std::max(0.0, -contact.at.gap);
+  const double w = problem_.contacts[a].w(0, 0), overlap = contact.compression(contact.at.gap);
   double power = 1;
   if (spring.exponent != 1) {
     constexpr double soon = 1e-3;  // s, in which its weight speeds up a body that lies on the spring
@@ -224,7 +224,8 @@ void World<D>::audit_energy(double h) {
       if (h == 0) island_gain_[islands_.of(a)] += energy_of(a);
     } else {
       const Spring& spring = contact.law.spring;
-      const double overlap = std::max(0.0, -contact.at.gap), speed = contact.before.template head<D>().norm();
+      const double overlap = contact.compression(contact.at.gap),
+                   speed = contact.before.template head<D>().norm();
       const double energy = elastic_energy(spring, overlap) +
                             0.5 * speed * speed / problem_.contacts[a].w(0, 0) +
                             0.5 * spring.tangential_stiffness * contact.stretch.squaredNorm();
@@ -273,7 +274,7 @@ bool World<D>::stays_closed(int a, double duration) const {
   const double speed = after_[a][0];
   // A spring opens if its gap is positive at the end of the step.
   if (contact.law.condition == NormalCondition::penalty)
-    return speed <= 0 || contact.at.gap + settings_.theta * duration * speed <= 0;
+    return speed <= 0 || contact.at.gap + contact.born + settings_.theta * duration * speed <= 0;
   if (contact.manifold >= 0 && contact.law.e_n > 0) return speed <= 0;
   const double within_tolerance =
       10 * settings_.tolerance * problem_.contacts[a].speed_scale + 1e-14 * contact.before.norm();

@@ -111,7 +111,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     }
     begin_manifolds();
     ask_laws(h);
-    assemble(h, true);
+    assemble(h, last_step_ > 0 ? h / last_step_ : 1);
     last_solve_ = {};
     pressed_.clear();
     if (!contacts_.empty()) solve_and_apply();
@@ -197,7 +197,7 @@ bool World<D>::solve_impact() {
   measure_before(0);
   begin_manifolds();
   ask_laws(0);
-  assemble(0, false);
+  assemble(0, 0);
   const bool approaching =
       std::any_of(contacts_.begin(), contacts_.end(), [](const Contact& c) { return c.before[0] < 0; });
   if (approaching) {

@@ -93,7 +93,7 @@ double World<D>::total_energy() const {
   for (const Contact& c : last_) {
     // Of one that has opened, the features may be anywhere.
     if (c.law.condition != NormalCondition::penalty || !c.carried) continue;
-    energy += elastic_energy(c.law.spring, -gap_at(c, false)) +
+    energy += elastic_energy(c.law.spring, c.compression(gap_at(c, false))) +
               0.5 * c.law.spring.tangential_stiffness * c.stretch.squaredNorm();
   }
   return energy;

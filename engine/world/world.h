@@ -50,12 +50,15 @@ struct WorldContact {
   double mu_before = 0;       ///< coefficient of friction in the last step, if the contact is carried on
   double c_t_before = 0;      ///< N, its tangential cohesion
   Vec<D> stretch = Vec<D>::Zero();  ///< m, of the tangential spring of `penalty` at the end of the last step
+  double born = 0;                  ///< m, the overlap from which a spring counts (World::overlap_at_birth)
   double age = 0;                   ///< s since the contact closed
   bool carried = false;             ///< true if the contact did not open in the last step
   bool sticking = false;
   int manifold = -1;      ///< index of the manifold among the impacts of this step; -1: no impact
   int impact_number = 0;  ///< impact number of the candidate, if this contact is part of an impact
 
+  /// What a spring of `penalty` is compressed by [m], if the features of the contact have this gap.
+  double compression(double gap) const { return std::max(0.0, -gap - born); }
   /// The current coefficient of friction.
   double mu() const { return sticking ? law.mu_s : law.mu_d; }
   double approach() const { return before[0] < 0 ? -before[0] : 0; }
@@ -224,6 +227,8 @@ class World {
   void match_last();
   const Contact* carried_on(const Contact& contact, std::span<const Contact> last,
                             std::span<const Contact> now) const;
+  double overlap_at_birth(const Contact& contact, std::span<const Contact> last,
+                          std::span<const Contact> now) const;
   void keep_closed(double share_of_size);
   double reach_within(double h, int candidate, int antagonist) const;
   double reach_in_middle(int candidate, int antagonist) const;
@@ -258,7 +263,7 @@ class World {
   };
   Turning turning_of(const Contact& contact, double ahead, double h) const;
   void measure_before(double h);
-  void assemble(double h, bool warm);
+  void assemble(double h, double warm);
   template <int N>
   void couple();
   void scale_by_island(double h);

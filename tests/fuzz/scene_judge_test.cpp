@@ -115,4 +115,33 @@ stop: { time: 1.1532 s }
 output: { series: { every: step }, trajectories: { first: 1 } }
 )";
   CHECK(verdict_of(scene) == "");
+  // A box: solved again with the push that its step had found, a contact collided twice and sank by 2 cm.
+  scene.text = R"(flyrock: 1
+dimension: 3
+method: nscd
+terrain: { type: plane, point: [0, 0, 0], normal: [0, 0, 1], material: m }
+materials: { m: { restitution: { type: newton, en: 0.28709, form: poisson }, rolling: { type: rolling_resistance, mu_r: 0.075674 m } } }
+bodies:
+  - { name: box, shape: { type: box, size: [1.53066, 1.4441, 1.5084] }, density: 2700, material: m, position: [0.29582, 0.17887, 3.85064], orientation: { axis: [0.40256, 0.94803, 1], angle: 177.84 deg }, velocity: [-4.5639, 1.9352, 4.6005], spin: [0.18488, -1.2611, -3.3706] }
+stop: { time: 2.6912 s }
+output: { series: { every: step }, trajectories: { first: 1 } }
+)";
+  CHECK(verdict_of(scene) == "");
+  // A hexagon on springs: its edge came to face a corner with an overlap of 1 cm, which gave it 880 J.
+  scene = {};
+  scene.dimension = 2;
+  scene.is_spring = scene.gives_energy = true;
+  scene.profile = {
+      {-12, 0}, {-5.4837, -3.0062}, {-2.4313, -1.97013}, {1.1359, -1.17908}, {22.2059, -7.06463}};
+  scene.text = R"(flyrock: 1
+dimension: 2
+method: nscd
+terrain: { type: profile, points: [[-12, 0], [-5.4837, -3.0062], [-2.4313, -1.97013], [1.1359, -1.17908], [22.2059, -7.06463]], material: m }
+materials: { m: { restitution: { type: newton, en: 0.48597, form: energy }, friction: { type: coulomb, mu: 0.35093 }, rolling: { type: rolling_resistance, mu_r: 0.011739 m }, unilateral: { type: penalty, stiffness: 18752000 N/m, damping: 818.23 N s/m } } }
+bodies:
+  - { name: b0, shape: { type: polygon, sides: 6, diameter: 0.42129 }, density: 2700, material: m, position: [0.2387, 2.79604], orientation: 304.02 deg, velocity: [-4.3593, -4.0484], spin: -1.3994 }
+stop: { time: 0.91725 s }
+output: { series: { every: step }, trajectories: { first: 1 } }
+)";
+  CHECK(verdict_of(scene) == "");
 }
