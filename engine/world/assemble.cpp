@@ -183,8 +183,8 @@ void World<D>::measure_before(double h) {
 
 /// Assembles W = sum over bodies of H^T M^-1 H, q = u_free and the laws. The laws apply to the velocity at
 /// the end of the step, when the lever arms have turned further; without this, a body that pivots about a
-/// corner would leave it by w^2 h^2 / 2 times the lever in each step. `warm`: start from the forces of the
-/// last step (warm start). If the loads are not unique, the solver finds the solution nearest to its start.
+/// corner would leave it by w^2 h^2 / 2 times the lever in each step. The solver starts from the impulses
+/// that the contacts have, times `warm`. If the loads are not unique, it finds the solution nearest to them.
 template <int D>
 void World<D>::assemble(double h, double warm) {
   const auto turns = [](const Contact& c) { return c.law.mu_r > 0 || c.law.mu_spin > 0; };
