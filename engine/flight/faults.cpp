@@ -26,13 +26,21 @@ double Faults<D>::energy_of(int i) const {
   return body.breathes() ? rigid + body.breathing.potential_energy() : rigid;
 }
 
-/// Whether a body whose centre of mass, at `place`, may be outside of it, has a point above the ground.
+/// Whether a body whose centre of mass, at `place`, may be outside of it, has a point or the highest place of
+/// a rim above the ground.
 template <int D>
 bool Faults<D>::straddles(const Body<D>& body, const Vec<D>& place) const {
   if (body.contactors.size() == 1 && body.contactors[0].form != Form::cloud) return false;
-  for (const auto& contactor : body.contactors)
-    for (const Vec<D>& point : contactor.points)
-      if (!(depth_below_ground(world_.terrain(), place + body.pose().r * point) > 0)) return true;
+  const auto is_above = [&](const Vec<D>& point) {
+    return !(depth_below_ground(world_.terrain(), place + body.pose().r * point) > 0);
+  };
+  for (const auto& contactor : body.contactors) {
+    if (std::any_of(contactor.points.begin(), contactor.points.end(), is_above)) return true;
+    if constexpr (D == 3)
+      for (const Contactor3::Circle& circle : contactor.circles)
+        if (is_above(circle.centre + circle.radius * circle.towards(body.pose().r.inverse(Vec3::UnitZ()))))
+          return true;
+  }
   return false;
 }
 

@@ -28,7 +28,7 @@ class Faults {
   /// Whether a place of the centre of mass lies below the ground, deeper than one step can push it. The test
   /// is that a vertical line up from it meets a facet from below, and that it is not on the surface: an
   /// upright wall has its top above each of its places. A compound, or the points of a mesh, may straddle a
-  /// peak: then all points of the body must be below, too. The text of the fault gives the depth.
+  /// peak: then all its points and rims must be below, too. The text of the fault gives the depth.
   std::optional<std::string> below_ground(int body, const Vec<D>& place) const;
 
   /// Whether the energy of the world exceeds its limit. The text of the fault gives the excess [J]. The

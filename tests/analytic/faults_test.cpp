@@ -64,6 +64,18 @@ TEST_CASE("a compound that straddles a peak is not below the ground, until all o
   Bench below(peak, other);
   tamper<Bench, Body<2>>(
       below, other, dumbbell, [](Body<2>& b) { b.x.y() = -0.5; }, "below the ground");
+  // Two coins: they have rims, and no points.
+  Contactor3 front = Contactor3::cylinder(0.1, 0.02), back = front;
+  front.change_frame({-0.71, 0, 0}, {});
+  back.change_frame({0.71, 0, 0}, {});
+  Body<3> coins = make_body({front, back}, 0, 1);
+  coins.x = {0, 0, 0.6};
+  Bench3 ridge(extruded(peak, 10, 2), material);
+  ridge.add(coins);
+  CHECK(ridge.run(5).reason == StopReason::stopped);
+  Bench3 below_ridge(extruded(peak, 10, 2), other);
+  tamper<Bench3, Body<3>>(
+      below_ridge, other, coins, [](Body<3>& b) { b.x.z() = -0.5; }, "below the ground");
 }
 
 TEST_CASE(
