@@ -73,9 +73,9 @@ class Runner {
       look_for_jam();
       end_bodies();
       // Bodies in contact touch again and again and time does not advance: advance by one short step that
-      // ignores new impacts of pairs in contact; if time still does not advance, ignore all impacts. A flight
-      // that ends at a touch without an impact will do so again.
-      const int patience = flies && world_.impacts().empty() ? 1 : 50;
+      // ignores new impacts of pairs in contact; if time still does not advance, ignore all impacts. What
+      // ends at a touch without an impact, or at one that changes nothing, will do so again.
+      const int patience = (flies && world_.impacts().empty()) || is_idle() ? 1 : 50;
       stalled_ = world_.time - before < 1e-9 * world_.settings().time_step ? stalled_ + 1 : 0;
       if (stalled_ > patience) {
         const double stuck = world_.time;
@@ -91,6 +91,12 @@ class Runner {
   }
 
  private:
+  /// Whether no contact has an impulse.
+  bool is_idle() const {
+    return std::all_of(world_.contacts().begin(), world_.contacts().end(),
+                       [](const auto& contact) { return contact.impulse.isZero(0); });
+  }
+
   /// What follows each body. The histories stay where they are from now on.
   void watch_bodies() {
     histories_.resize(world_.bodies.size());

@@ -70,6 +70,25 @@ double World<D>::longest_of_springs() const {
   return std::min(longest_of_dampers_, enough_steps(std::max(spring_rate_, fastest_breath())));
 }
 
+/// How deep rims in a hollow contactor have sunk by the end of a step, as a share of what they may. The place
+/// of a rim that is nearest to the wall walks, and the search passes over it while it is held.
+template <int D>
+double World<D>::sunk_rims() const {
+  double deepest = 0;
+  if constexpr (D == 3) {
+    constexpr double most = 1e-5;  // of the size
+    for (const Contact& c : contacts_) {
+      if (c.antagonist < 0 || c.law.condition == NormalCondition::penalty) continue;
+      const Contactor3& a = bodies[c.candidate].contactor_with(c.at.feature);
+      const Contactor3& b = bodies[c.antagonist].contactor_with(c.at.against);
+      if ((a.form == Form::hollow && !b.circles.empty()) || (b.form == Form::hollow && !a.circles.empty()))
+        deepest = std::max(deepest, (-gap_at(c, false) - carry_reach(c.candidate, c.antagonist)) /
+                                        (most * contact_size(c.candidate, c.antagonist)));
+    }
+  }
+  return deepest;
+}
+
 /// The velocity error of each body due to friction [m/s]: half of the change of its velocity (plus that of
 /// its spin times the radius) if friction and rolling resistance had the direction of the start of the step
 /// instead of its end, or the coefficients of the last step. A contact that ends at rest causes no error,
@@ -129,6 +148,7 @@ std::span<const double> World<D>::doubt_of_friction(double h) {
   template double World<D>::phases_so_far() const;      \
   template double World<D>::fastest_breath() const;     \
   template double World<D>::longest_of_springs() const; \
+  template double World<D>::sunk_rims() const;          \
   template void World<D>::limit_by_dampers();           \
   template std::span<const double> World<D>::doubt_of_friction(double)
 FLYROCK_INSTANTIATE(2);

@@ -98,12 +98,16 @@ bool World<D>::is_deep(const Contact& c, double gap, bool at_start) {
   });
 }
 
-/// Whether one of the contactors of a contact has circles.
+/// Whether a contact is one of the search with circles, which bounds how deep places of rims sink that it
+/// passes over. The search with a wall, of a hollow contactor or a half space, does not.
 template <int D>
 bool World<D>::has_circles(const Contact& c) const {
-  if constexpr (D == 3)
-    return !bodies[c.candidate].contactor_with(c.at.feature).circles.empty() ||
-           (c.antagonist >= 0 && !bodies[c.antagonist].contactor_with(c.at.against).circles.empty());
+  if constexpr (D == 3) {
+    const Contactor3& a = bodies[c.candidate].contactor_with(c.at.feature);
+    if (c.antagonist < 0) return !a.circles.empty();
+    const Contactor3& b = bodies[c.antagonist].contactor_with(c.at.against);
+    return !is_hollow(a.form) && !is_hollow(b.form) && (!a.circles.empty() || !b.circles.empty());
+  }
   return false;
 }
 

@@ -120,7 +120,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     measure_after(h);
     if (chooses && refusals++ < most_refusals) {
       error = phases_so_far() * control_.error(bodies, starts_, doubt_of_friction(h), h);
-      error = std::max(error, walked_ * walked_);
+      error = std::max({error, walked_ * walked_, sunk_rims()});
       const double of_springs = longest_of_springs();
       const double fits = error > 1 ? StepControl<D>::shorter(h, error) : h;
       if (std::min(fits, of_springs) < h) {

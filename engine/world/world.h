@@ -296,6 +296,7 @@ class World {
   double fastest_breath() const;
   double longest_of_springs() const;
   void limit_by_dampers();
+  double sunk_rims() const;
   std::span<const double> doubt_of_friction(double h);
 
   // step.cpp: the scheme

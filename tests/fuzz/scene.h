@@ -9,6 +9,18 @@
 
 namespace flyrock::fuzz {
 
+/// A body that is touched from inside: a circle, or in 3D a tube about its own z axis.
+struct HollowBody {
+  std::string name;
+  double radius = 0, half_length = 0;  ///< m; in 2D the length has no meaning
+};
+
+/// A box along the axes of a body, one of those that together are a body which is not convex.
+struct BlockOfBody {
+  std::string name;
+  Vec3 low, high;  ///< m; in 2D without z
+};
+
 /// A scene as text, and what its judge knows about it beforehand.
 struct Scene {
   std::string text;  ///< YAML
@@ -18,6 +30,10 @@ struct Scene {
   bool may_jam = false;       ///< a driven body may press others without a way out: no run can go on then
   bool is_spring = false;     ///< contacts penetrate by design
   double fall = 1;            ///< m, the greatest height of a body over the lowest ground
+  std::vector<HollowBody> hollows;
+  std::vector<BlockOfBody> blocks;
+  std::vector<std::string> planes;  ///< bodies that are the half space below their own z axis
+  std::vector<std::string> clouds;  ///< bodies whose vertices touch the ground, planes and blocks only
   /// The ground: the points of a profile in 2D; in 3D a plane (a place and its normal) or a grid.
   std::vector<Vec2> profile;
   Vec3 place = Vec3::Zero(), normal = Vec3::UnitZ();

@@ -4,12 +4,14 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <functional>
 #include <iterator>
 #include <map>
 #include <memory>
+#include <optional>
 #include <regex>
 #include <set>
 #include <stdexcept>
@@ -39,8 +41,10 @@ struct JudgedBody {
 struct JudgedState {
   Vec3 x = Vec3::Zero();
   Eigen::Matrix3d r = Eigen::Matrix3d::Identity();
+  Vec3 v = Vec3::Zero(), spin = Vec3::Zero();
   double energy = 0, kinetic = 0;
   double time = 0;
+  std::optional<double> radius;  ///< m, of a body that breathes
 };
 
 /// A query whose rows a function sees.
@@ -206,6 +210,14 @@ class SceneJudge {
         });
     rows_.each("SELECT body, contactor, face, x_m, y_m, z_m, radius_m FROM fixture_shapes",
                [&](sqlite3_stmt* row) { add_corner(text_of(row, 0), row); });
+    // Their surfaces are drawn, but are not those of convex solids.
+    for (const HollowBody& hollow : scene_.hollows) bodies_[hollow.name].parts.clear();
+    for (const std::string& plane : scene_.planes) bodies_[plane].parts.clear();
+    for (const BlockOfBody& block : scene_.blocks) bodies_[block.name].parts.clear();
+    for (const BlockOfBody& block : scene_.blocks) {
+      auto& parts = bodies_[block.name].parts;
+      parts[static_cast<int>(parts.size())] = part_of_block(block);
+    }
     for (auto& [name, body] : bodies_) {
       body.size = infinite;
       for (auto& [index, part] : body.parts) {
@@ -213,6 +225,23 @@ class SceneJudge {
         body.size = std::min(body.size, 2 * depths_[name].back().inner());
       }
     }
+  }
+
+  JudgedPart part_of_block(const BlockOfBody& block) const {
+    JudgedPart part;
+    const auto corner = [&](int i) {
+      return Vec3(i & 1 ? block.high.x() : block.low.x(), i & 2 ? block.high.y() : block.low.y(),
+                  i & 4 ? block.high.z() : block.low.z());
+    };
+    static constexpr std::array<std::array<int, 4>, 6> faces{
+        {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+    const std::size_t count = scene_.dimension == 2 ? 1 : 6;
+    for (std::size_t f = 0; f < count; ++f) {
+      Polygon& face = part.faces.emplace_back();
+      for (const int i : faces[f]) face.push_back(corner(i));
+    }
+    for (int i = 0; i < (scene_.dimension == 2 ? 4 : 8); ++i) part.corners.push_back(corner(i));
+    return part;
   }
 
   void read_ends() {
@@ -247,9 +276,11 @@ class SceneJudge {
       since = now;
     };
     rows_.each(
-        "SELECT body, time_s, x_m, y_m, z_m, angle_rad, kinetic_energy_J, potential_energy_J, qw, qx, qy, qz "
-        "FROM "
-        "series_bodies ORDER BY rowid",
+        "SELECT body, time_s, x_m, y_m, z_m, angle_rad, kinetic_energy_J, potential_energy_J, qw, qx, qy, "
+        "qz, "
+        "radius_m, vx_m_s, vy_m_s, vz_m_s, spin_x_rad_s, spin_y_rad_s, spin_z_rad_s FROM series_bodies ORDER "
+        "BY "
+        "rowid",
         [&](sqlite3_stmt* row) {
           const double time = sqlite3_column_double(row, 1);
           if (time != now && fault_.empty()) instant();
@@ -299,6 +330,13 @@ class SceneJudge {
                     .normalized()
                     .toRotationMatrix();
     }
+    const auto vector = [&](int first) {
+      return Vec3(sqlite3_column_double(row, first), sqlite3_column_double(row, first + 1),
+                  sqlite3_column_double(row, first + 2));
+    };
+    state.v = vector(13);
+    state.spin = vector(16);
+    if (sqlite3_column_type(row, 12) != SQLITE_NULL) state.radius = sqlite3_column_double(row, 12);
     state.kinetic = sqlite3_column_double(row, 6);
     state.energy = state.kinetic + sqlite3_column_double(row, 7);
   }
@@ -327,27 +365,90 @@ class SceneJudge {
       for (const auto& [index, part] : body.parts)
         for (const Vec3& corner : part.corners) {
           const Vec3 place = state.x + state.r * corner;
-          if (body.moves && depth_in_ground(place, part.radius) > most_depth * body.size)
+          const double radius = state.radius.value_or(part.radius);
+          if (body.moves && depth_in_ground(place, radius) > most_depth * body.size)
             blame(fmt::format("at {} s {} lies {:.3g} m in the ground, {:.2g} of its size", now, name,
-                              depth_in_ground(place, part.radius),
-                              depth_in_ground(place, part.radius) / body.size));
+                              depth_in_ground(place, radius), depth_in_ground(place, radius) / body.size));
           for (const auto& [other, of_other] : states_)
-            if (other != name && (body.moves || bodies_[other].moves))
-              in_body(now, name, body, place, part.radius, other, of_other);
+            if (other != name && (body.moves || bodies_[other].moves) && may_touch(name, other))
+              in_body(now, name, body, place, radius, other, of_other);
         }
+      for (const HollowBody& hollow : scene_.hollows)
+        if (states_.count(hollow.name) > 0) beyond_wall(now, name, state, hollow, states_.at(hollow.name));
     }
+  }
+
+  /// The vertices of a cloud touch planes and blocks only.
+  bool may_touch(const std::string& name, const std::string& other) const {
+    const auto is_among = [](const auto& list, const std::string& wanted) {
+      return std::find(list.begin(), list.end(), wanted) != list.end();
+    };
+    if (is_among(scene_.clouds, other)) return false;
+    if (!is_among(scene_.clouds, name) || is_among(scene_.planes, other)) return true;
+    return std::any_of(scene_.blocks.begin(), scene_.blocks.end(),
+                       [&](const BlockOfBody& block) { return block.name == other; });
   }
 
   void in_body(double now, const std::string& name, const JudgedBody& body, const Vec3& place, double radius,
                const std::string& other, const JudgedState& state) {
     const double size = std::min(body.size, bodies_[other].size);
     const Vec3 local = state.r.transpose() * (place - state.x);
-    for (const PartDepth& part : depths_[other]) {
-      const double depth = part.of(local, radius);
+    const auto judge = [&](double depth) {
       if (depth > most_depth * size)
         blame(fmt::format("at {} s {} lies {:.3g} m in {}, {:.2g} of the smaller one", now, name, depth,
                           other, depth / size));
+    };
+    // A disk that breathes is drawn with the radius that it had at the start.
+    const double grown = state.radius ? *state.radius - bodies_[other].parts.begin()->second.radius : 0;
+    for (const PartDepth& part : depths_[other]) judge(part.of(local, radius + grown));
+    if (std::find(scene_.planes.begin(), scene_.planes.end(), other) != scene_.planes.end())
+      judge(radius - local.z());
+  }
+
+  /// Of a body in a drum or tube, how far it reaches beyond the wall. Once it has left through an end, the
+  /// wall does not hold it any more.
+  void beyond_wall(double now, const std::string& name, const JudgedState& state, const HollowBody& hollow,
+                   const JudgedState& wall) {
+    if (name == hollow.name) return;
+    const auto in_frame = [&](const Vec3& place) { return Vec3(wall.r.transpose() * (place - wall.x)); };
+    const bool flat = scene_.dimension == 2;
+    const auto across = [&](const Vec3& p) { return std::hypot(p.x(), p.y()); };
+    const double radius = wall.radius.value_or(hollow.radius);
+    const JudgedBody& body = bodies_[name];
+    if (!flat && leaves_tube(name, state, hollow, wall)) outside_.insert(name);
+    before_[name] = state;
+    before_wall_ = wall;
+    if (outside_.count(name) > 0) return;
+    for (const auto& [index, part] : body.parts)
+      for (const Vec3& corner : part.corners) {
+        const double beyond = across(in_frame(state.x + state.r * corner)) + part.radius - radius;
+        if (beyond > most_depth * body.size)
+          blame(fmt::format("at {} s {} lies {:.3g} m in the wall of {}, {:.2g} of its size", now, name,
+                            beyond, hollow.name, beyond / body.size));
+      }
+  }
+
+  /// Whether a body comes near an end of a tube on its way from the instant before, along a parabola.
+  bool leaves_tube(const std::string& name, const JudgedState& state, const HollowBody& hollow,
+                   const JudgedState& wall) {
+    constexpr int looks = 64;
+    const auto is_out = [&](const Vec3& x, const Vec3& axis, const Vec3& centre) {
+      return std::abs(axis.dot(x - centre)) + 0.5 * hollow.radius > hollow.half_length;
+    };
+    if (is_out(state.x, wall.r.col(2), wall.x)) return true;
+    const auto known = before_.find(name);
+    if (known == before_.end()) return false;
+    const JudgedState& from = known->second;
+    const double span = state.time - from.time, turn = before_wall_.spin.norm();
+    const Vec3 pull = span > 0 ? Vec3((state.v - from.v) / span) : Vec3::Zero();
+    for (int i = 1; i < looks; ++i) {
+      const double t = span * i / looks;
+      const Vec3 about = turn > 0 ? Vec3(before_wall_.spin / turn) : Vec3::UnitZ();
+      const Vec3 axis = Eigen::AngleAxisd(turn * t, about) * before_wall_.r.col(2);
+      if (is_out(from.x + t * from.v + 0.5 * t * t * pull, axis, before_wall_.x + t * before_wall_.v))
+        return true;
     }
+    return false;
   }
 
   /// How deep the lowest place of a ball lies in the ground; a bound from below where the ground bends.
@@ -398,8 +499,11 @@ class SceneJudge {
   std::map<std::string, JudgedState> states_;
   std::vector<std::pair<double, double>> gains_;  ///< s, J
   std::set<double> together_;                     ///< s, impacts of several contacts
-  double gained_in_all_ = 0;                      ///< J, not yet used
-  std::map<std::string, double> leaves_;          ///< s
+  std::set<std::string> outside_;                 ///< bodies that have left a tube
+  std::map<std::string, JudgedState> before_;     ///< in a tube, at the instant before
+  JudgedState before_wall_;
+  double gained_in_all_ = 0;              ///< J, not yet used
+  std::map<std::string, double> leaves_;  ///< s
   std::string fault_;
 };
 

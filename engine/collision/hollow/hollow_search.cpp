@@ -7,7 +7,7 @@
 // is a concave lower bound of the gap (safe_root.h). Of a rim, it is the least over its places, all of which
 // are linear in t. A rim that is held at one place is searched for another touch 60 degrees away from it.
 // Features that are deep in the wall have come from outside, which the wall does not touch: they count once
-// they are inside.
+// they are inside. One that steps have let sink a little counts from there.
 
 #include <algorithm>
 #include <array>
@@ -26,6 +26,13 @@ namespace {
 
 /// A rim that is held at one place is searched at this angle from it and beyond [rad].
 constexpr double next_place = pi / 3;
+/// A feature that is deeper in the wall has come from outside: share of the size.
+constexpr double outside_share = 1e-3;
+
+/// How a gap counts that is `gap` at the start.
+Counts of_sunk(Counts counts, double gap, const GapScale& scale) {
+  return counts == Counts::fully && gap < -scale.deep ? Counts::from_zero : counts;
+}
 
 /// How long a place stays out of a hollow region [s]: it is `away` from it, and moves with `speed` at most.
 /// The steps are no shorter than a small share of the size.
@@ -70,13 +77,14 @@ class HollowSearch2 {
         return wall.gap(place + time * rate) - (other_.shape.radius + of_other.at(t)) + time * opens +
                search_.slack - 0.5 * time * time * bend;
       };
-      if (counts != Counts::from_zero && gap(0.0) < -scale_.deep) {
+      if (counts != Counts::from_zero && gap(0.0) < -outside_share * search_.size) {
         const double fast = velocity.norm() + pull * left + w_max * arm.norm() + fastest;
         least = std::min(least, outside_for(-gap(0.0), fast, search_.size, left));
         continue;
       }
       const double slope = (place.norm() > 0 ? wall.normal(place).dot(rate) : -rate.norm()) + opens;
-      least = std::min(least, within(left, left, safe_root(gap, slope, left, scale_, counts)));
+      const Counts now = of_sunk(counts, gap(0.0), scale_);
+      least = std::min(least, within(left, left, safe_root(gap, slope, left, scale_, now)));
     }
     return least;
   }
@@ -133,11 +141,12 @@ class HollowSearch3 {
           (sr.w_max * sr.w_max + sr.w_rate) * (lever + fast * horizon) + 2 * sr.w_max * fast + acceleration;
       const double offset = search_.slack - other_.shape.radius;
       const auto gap = [&](double time) { return gap_at(time) + offset - 0.5 * time * time * bend; };
-      if (counts != Counts::from_zero && !wall.is_plane() && gap(0.0) < -scale_.deep) {
+      if (counts != Counts::from_zero && !wall.is_plane() && gap(0.0) < -outside_share * search_.size) {
         least = std::min(least, outside_for(-gap(0.0), fast + sr.w_max * lever, search_.size, left));
         return;
       }
-      least = std::min(least, within(horizon, left, safe_root(gap, slope, horizon, scale_, counts)));
+      const Counts now = wall.is_plane() ? counts : of_sunk(counts, gap(0.0), scale_);
+      least = std::min(least, within(horizon, left, safe_root(gap, slope, horizon, scale_, now)));
     };
     const auto slope_at = [&](const Vec3& place, const Vec3& rate) {
       const Vec3 normal = wall.normal(place);
