@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "cli/dispatch.h"
 
@@ -29,11 +30,14 @@ stop: { time: 0.5 s }
 output: { series: { every: step }, trajectories: { first: 1 } }
 )";
 
-std::string verdict_of(const Scene& scene) {
+using Files = std::vector<std::pair<std::string, std::string>>;  // names and texts
+
+std::string verdict_of(const Scene& scene, const Files& beside = {}) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::temp_directory_path() / ("flyrock_judge_" + std::to_string(::getpid()));
   fs::create_directories(folder);
   std::ofstream(folder / "s.yaml") << scene.text;
+  for (const auto& [name, text] : beside) std::ofstream(folder / name) << text;
   const std::string out = (folder / "out").string();
   const int code =
       cli::dispatch({"run", (folder / "s.yaml").string(), "-o", out, "--force", "--quiet", "-j", "1"});
@@ -197,4 +201,50 @@ stop: { time: 2.872 s }
 output: { series: { every: step }, trajectories: { first: 1 } }
 )";
   CHECK(verdict_of(scene) == "");
+}
+
+TEST_CASE("A vertex that slides over the foot of a slope stays out of the ground") {
+  // It came from below into the thin prism of the next facet, because the step held other vertices only: 3
+  // mm.
+  const std::string heights =
+      R"(0.449128 1.04039 0.499974 0.930528 1.63388 1.8598 3.00167 3.4205 4.18709 3.84062 5.23698 5.37603
+-0.215458 0.636379 0.736096 1.82368 2.23135 2.00509 3.3719 3.362 4.39911 4.25682 4.69296 5.38747
+0.253018 0.98615 0.454355 1.24457 1.63487 2.65891 2.37201 3.48864 3.26739 3.9997 5.07292 5.141
+0.275319 0.305153 1.43342 1.11658 1.81098 1.95608 3.27155 3.00355 4.14674 4.1579 4.37514 5.08165
+-0.291367 -0.0922419 0.450678 0.852672 1.35283 2.67921 2.82432 3.8503 4.27358 4.87673 4.84666 5.29649
+-0.440926 0.485317 0.775281 1.63156 1.46699 1.81738 3.13587 3.13806 3.37436 4.86208 4.71185 5.27657
+0.466318 -0.0653687 0.841962 1.47635 2.28062 2.72076 2.48976 3.21877 4.02005 4.38666 4.23305 4.91963
+0.43143 0.882517 1.35933 1.15905 2.36296 2.10317 2.80313 3.48213 3.62333 4.01782 5.20647 5.5757
+-0.183147 0.492045 1.04387 1.95189 1.82427 2.03581 3.18834 3.45547 3.4039 4.63677 4.26551 5.39037
+-0.519424 0.981926 1.10775 1.79761 1.8379 2.41583 2.5692 3.0142 4.25434 4.76053 5.32669 5.64749
+0.118372 0.268534 1.00051 1.25574 1.94044 2.19258 2.7869 3.49085 3.96527 4.14677 4.27272 5.65613
+0.567979 -0.0317676 1.44527 1.55121 2.40488 2.77622 2.41051 3.36892 4.04305 3.88908 4.31463 5.75119
+)";
+  const std::string octahedron =
+      "v 0.19798 0 0\nv -0.19798 0 0\nv 0 0.18662 0\nv 0 -0.18662 0\nv 0 0 0.2138\nv 0 0 -0.2138\n"
+      "f 1 3 5\nf 2 5 3\nf 1 5 4\nf 1 6 3\nf 2 4 5\nf 2 3 6\nf 1 4 6\nf 2 6 4\n";
+  Scene scene;
+  scene.fall = 100;
+  scene.columns = 12;
+  scene.cell = 1.64;
+  scene.corner = Vec2::Constant(-9.0199999999999996);
+  std::istringstream numbers(heights);
+  scene.heights.resize(144);
+  for (int row = 11; row >= 0; --row)
+    for (int column = 0; column < 12; ++column)
+      numbers >> scene.heights[static_cast<std::size_t>(12 * row + column)];
+  scene.clouds = {"rock"};
+  scene.text = R"(flyrock: 1
+dimension: 3
+method: nscd
+terrain: { type: raster, file: ground.asc, material: m }
+materials: { m: { restitution: { type: mass_scaled, en: 0.12748, half_mass: 500 kg }, friction: { type: coulomb, mu: 0.17518 } } }
+bodies:
+  - { name: rock, shape: { type: mesh_point, file: rock.obj }, density: 2700, material: m, position: [-0.2165, -0.80592, 8.82662], velocity: [-0.48481, 1.489, -4.8911], spin: [-3.9282, -0.2138, 3.2733] }
+stop: { time: 1.864 s }
+output: { series: { every: step }, trajectories: { first: 1 } }
+)";
+  const std::string header =
+      "ncols 12\nnrows 12\nxllcenter -9.0199999999999996\nyllcenter -9.0199999999999996\ncellsize 1.64\n";
+  CHECK(verdict_of(scene, {{"ground.asc", header + heights}, {"rock.obj", octahedron}}) == "");
 }

@@ -16,7 +16,8 @@ namespace {
 
 /// The points of a contactor over a facet. Of a cloud, the facet is a thin prism below its plane, which the
 /// points enter from above: a point stays clear of it as long as it stays above the plane, or beyond one
-/// side, or below the prism, whichever lasts longest.
+/// side, or below the prism, whichever lasts longest. One that has a contact may sink a little in a step that
+/// does not solve it, and so come to the next facet from the side: for it the prism is thicker.
 class PointSearch {
  public:
   PointSearch(const Moving3& c, const Facet& facet, bool of_cloud, double end, const TouchSearch& search)
@@ -28,10 +29,11 @@ class PointSearch {
     const MovingState state(c_, t, end_);
     double least = forever;
     for (int i = 0; i < static_cast<int>(c_.shape.points.size()) && least > 0; ++i) {
-      const Counts counts =
-          search_.held.counts(feature_id(c_.index, FeatureKind::vertex, i), facet_.face_feature(), t);
-      if (counts != Counts::never)
-        least = std::min(least, point_lasts(c_.shape.points[i], state, counts, end_ - t));
+      const FeatureId point = feature_id(c_.index, FeatureKind::vertex, i);
+      const Counts counts = search_.held.counts(point, facet_.face_feature(), t);
+      if (counts == Counts::never) continue;
+      const double thickness = has_contact(point) ? held_thickness * search_.size : scale_.deep;
+      least = std::min(least, point_lasts(c_.shape.points[i], state, counts, thickness, end_ - t));
     }
     return least;
   }
@@ -44,7 +46,15 @@ class PointSearch {
   }
 
  private:
-  double point_lasts(const Vec3& point, const MovingState& state, Counts counts, double left) const {
+  static constexpr double held_thickness = 1e-3;  // of the size
+
+  bool has_contact(FeatureId point) const {
+    return of_cloud_ && std::any_of(search_.held.list.begin(), search_.held.list.end(),
+                                    [&](const HeldContact& h) { return h.feature == point; });
+  }
+
+  double point_lasts(const Vec3& point, const MovingState& state, Counts counts, double thickness,
+                     double left) const {
     const Vec3 arm = state.arm(point), at = state.x + arm, speed = state.velocity_at(arm);
     const double turning = state.bend(arm.norm()), height = facet_.distance(at);
     const auto stays = [&](double gap, const Vec3& away, Counts counted) {
@@ -56,10 +66,10 @@ class PointSearch {
     const auto try_outside = [&](double gap, const Vec3& away) {
       if (gap > 0 && most < left) most = std::max(most, stays(gap, away, Counts::fully));
     };
-    try_outside(-height - scale_.deep, -facet_.normal);
+    try_outside(-height - thickness, -facet_.normal);
     for (int i = 0; i < 3; ++i)
       if (facet_.rim[i] != Rim::open)
-        try_outside(outward_[i].dot(at - facet_.corner[i]) - strip_margin(facet_, i, at, scale_.deep),
+        try_outside(outward_[i].dot(at - facet_.corner[i]) - strip_margin(facet_, i, at, thickness),
                     outward_[i]);
     return most;
   }
