@@ -18,7 +18,7 @@ class SceneMaker {
   explicit SceneMaker(Dice& dice) : dice_(dice) {}
 
   Scene make() {
-    scene_.dimension = dice_.one_in(3) ? 2 : 3;
+    scene_.dimension = dice_.one_in(4) ? 2 : 3;
     const bool flat = scene_.dimension == 2;
     const std::string ground = flat ? profile() : dice_.one_in(3) ? raster() : plane();
     const std::string laws = materials(), things = dice_.one_in(8) ? hollow_and_content() : bodies();
