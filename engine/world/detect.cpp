@@ -4,6 +4,7 @@
 
 #include "collision/pairs.h"
 #include "world/manifold.h"
+#include "world/same_contact.h"
 #include "world/world.h"
 
 namespace flyrock {
@@ -13,17 +14,6 @@ namespace {
 // A contact that carried an impulse in the last step stays active up to a gap of this share of its size. If a
 // sliding contact is missed for one step, its velocity error is mu g h.
 constexpr double carry_share = 1e-6;
-
-template <int D>
-bool same_features(const WorldContact<D>& a, const WorldContact<D>& b) {
-  return a.at.feature == b.at.feature && a.at.against == b.at.against;
-}
-
-template <int D>
-bool is_among(std::span<const WorldContact<D>> contacts, const WorldContact<D>& contact) {
-  return std::any_of(contacts.begin(), contacts.end(),
-                     [&](const WorldContact<D>& c) { return same_features<D>(c, contact); });
-}
 
 }  // namespace
 
@@ -153,16 +143,16 @@ const typename World<D>::Contact* World<D>::carried_on(const Contact& contact, s
   };
   const Contact* found = nullptr;
   for (const Contact& old : last) {
-    if (same_features<D>(old, contact)) return &old;
+    if (is_same(old, contact)) return &old;
     if (same_direction<D>(old.at.normal, contact.at.normal) && passed_on(old.at, contact.at) &&
-        !is_among<D>(now, old))
+        !has_same(now, old))
       found = &old;
   }
   if (found) return found;
   double nearest = same_place * contact_size(contact.candidate, contact.antagonist);
   for (const Contact& old : last) {
     const double distance = (old.at.point - contact.at.point).norm();
-    if (distance > nearest || !same_direction<D>(old.at.normal, contact.at.normal) || is_among<D>(now, old))
+    if (distance > nearest || !same_direction<D>(old.at.normal, contact.at.normal) || has_same(now, old))
       continue;
     nearest = distance;
     found = &old;
@@ -183,7 +173,7 @@ double World<D>::overlap_at_birth(const Contact& contact, std::span<const Contac
   if (overlap <= small * contact_size(contact.candidate, contact.antagonist)) return 0;
   double known = 2 * reach_time_ * std::max(0.0, -relative_velocity(contact)[0]);
   for (const Contact& old : last)
-    if (!is_among<D>(now, old)) known = std::max(known, old.compression(old.at.gap));
+    if (!has_same(now, old)) known = std::max(known, old.compression(old.at.gap));
   return overlap > known ? overlap - known : 0;
 }
 

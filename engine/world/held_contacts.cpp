@@ -5,6 +5,7 @@
 #include "collision/pairs.h"
 #include "collision/safe_time.h"
 #include "world/manifold.h"
+#include "world/same_contact.h"
 #include "world/world.h"
 
 namespace flyrock {
@@ -29,15 +30,6 @@ HeldContact held_contact(const WorldContact<D>& c, bool opened = false) {
   HeldContact held{c.at.feature, c.at.against, opened, c.law.condition == NormalCondition::penalty};
   if constexpr (D == 3) held.normal = c.at.normal;
   return held;
-}
-
-/// Whether a list has a contact with the same features of the same bodies.
-template <class Contact>
-bool has_same(const std::vector<Contact>& list, const Contact& c) {
-  return std::any_of(list.begin(), list.end(), [&](const Contact& other) {
-    return other.candidate == c.candidate && other.antagonist == c.antagonist &&
-           other.at.feature == c.at.feature && other.at.against == c.at.against;
-  });
 }
 
 }  // namespace
