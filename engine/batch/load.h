@@ -27,6 +27,7 @@ struct LoadedScenario {
   /// SHA-256 of the engine's version, the resolved scenario, the sources, the files and the arguments
   std::string hash;
   std::vector<std::string> warnings;  ///< from the reader: "blast.hole: the hole is shorter than the bench"
+  std::string tiers;                  ///< from trying it out: which shapes have less exact contacts
   bool defines_plugins = false;       ///< a Lua scenario that calls fr.plugin
   std::uint64_t own_trials = 1;       ///< `trials` of the file, without `--trials`
 };

@@ -25,6 +25,7 @@ Runners try_runners(LoadedScenario& scenario, std::uint64_t trials, Diagnostics&
       diagnostics.error(place(error.path), error.path, error.what());
     for (const ScenarioError& warning : tried.warnings)
       diagnostics.warning(place(warning.path), warning.path, warning.what());
+    if (scenario.tiers.empty()) scenario.tiers = tried.tiers;
   }
   for (std::string& warning : diagnostics.warnings()) scenario.warnings.push_back(std::move(warning));
   return diagnostics.has_errors() ? Runners() : make_runners(scenario.plan);

@@ -9,6 +9,7 @@
 #include "batch/free_rollers.h"
 #include "batch/hard_contacts.h"
 #include "batch/map_cells.h"
+#include "batch/tiers.h"
 #include "collision/pairs.h"
 #include "geometry/off_terrain.h"
 #include "plugin/sampled_params.h"
@@ -256,6 +257,14 @@ void find_lost_places(const Scenario& scenario, const Trial<3>& trial, TriedOut&
 }
 void find_lost_places(const Scenario&, const Trial<2>&, TriedOut&) {}
 
+/// Finds shapes whose contacts are less exact. Points have none.
+template <int D>
+void find_tiers(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
+  if (scenario.method != Method::nscd) return;
+  for (const World<D>& world : trial.worlds)
+    if (tried.tiers.empty()) tried.tiers = tier_note(world);
+}
+
 /// Finds cells of maps that cannot be made.
 void find_map_cells(const Scenario& scenario, const Trial<3>& trial, TriedOut& tried) {
   try {
@@ -322,6 +331,7 @@ void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, const TryLim
       find_fine_outlines(scenario, trial, tried);
       find_overlapping_parts(scenario, trial, tried);
       find_loose_drums(scenario, trial, tried);
+      find_tiers(scenario, trial, tried);
       find_flat_faces(scenario, trial, tried);
       find_lost_places(scenario, trial, tried);
       if (number == 0) find_forest_faults(scenario, trial, tried);

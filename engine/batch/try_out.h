@@ -2,6 +2,7 @@
 // Finds failures before a scenario runs: calls its laws on sampled states and makes its first trials.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "scenario/scenario.h"
@@ -13,6 +14,7 @@ namespace flyrock {
 struct TriedOut {
   std::vector<ScenarioError> errors;  ///< bad input
   std::vector<ScenarioError> warnings;
+  std::string tiers;  ///< tier_note of the first trial that has one
 };
 
 /// How much of a point is tried, counted and not timed: `check` and `run` on every machine ask the same.

@@ -59,6 +59,7 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
   if (const std::string elevations = assumed_elevations(plan); !elevations.empty())
     fmt::print("{}\n", elevations);
   if (const std::string trees = assumed_trees(plan); !trees.empty()) fmt::print("{}\n", trees);
+  if (!loaded->tiers.empty()) fmt::print("{}\n", loaded->tiers);
   if (const std::string ground = surveyed_ground(plan); !ground.empty()) fmt::print("{}\n", ground);
   const std::uint64_t trials = plan.points.front().trials;
   const std::string each =

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "batch/tiers.h"
 #include "cli/loading.h"
 #include "cli/shape_pictures.h"
 #include "collision/pairs.h"
@@ -17,20 +18,20 @@ template <int D>
 struct NamedShape {
   std::string name;
   std::vector<typename Geometry<D>::Contactor> contactors;
+  Tier tier = Tier::a;
 };
 
 /// The first body of the shape in the example.
 template <int D>
 NamedShape<D> shape_in(const Scenario& scenario, const std::string& name) {
   const Trial<D> trial = TrialBuilder<D>(scenario).build(0);
+  const auto named = [&](const Body<D>& body) { return NamedShape<D>{name, body.contactors, tier_of(body)}; };
   for (std::size_t i = 0; i < scenario.bodies.size(); ++i)
-    if (scenario.bodies[i].shape.plugin->spec.name == name)
-      return {name, trial.worlds.front().bodies[i].contactors};
+    if (scenario.bodies[i].shape.plugin->spec.name == name) return named(trial.worlds.front().bodies[i]);
   for (const TrialRock& rock : trial.rocks)
     if (rock.world >= 0)
-      return {name, trial.worlds[static_cast<std::size_t>(rock.world)]
-                        .bodies[static_cast<std::size_t>(rock.body)]
-                        .contactors};
+      return named(
+          trial.worlds[static_cast<std::size_t>(rock.world)].bodies[static_cast<std::size_t>(rock.body)]);
   return {name, {}};
 }
 
@@ -95,6 +96,31 @@ std::string table_of(const std::vector<NamedShape<D>>& shapes) {
   return head + " the ground |\n" + rule + "---|\n" + rows;
 }
 
+template <int D>
+std::string names_of(const std::vector<NamedShape<D>>& shapes, Tier tier) {
+  std::vector<std::string> names;
+  for (const NamedShape<D>& shape : shapes)
+    if (shape.tier == tier) names.push_back("`" + shape.name + "`");
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string tier_table(const std::vector<NamedShape<2>>& in_plane,
+                       const std::vector<NamedShape<3>>& in_space) {
+  std::string text =
+      "## Tiers of shapes\n\n"
+      "How exact the contacts of a shape are ([numerics](../numerics.md#tiers-of-shapes)). A compound has "
+      "the "
+      "tier of its parts.\n\n| tier | exact | in 2D | in 3D |\n|---|---|---|---|\n";
+  const auto row = [&](Tier tier, const std::string& promise) {
+    text += fmt::format("| {} | {} | {} | {} |\n", name_of(tier), promise, names_of(in_plane, tier),
+                        names_of(in_space, tier));
+  };
+  row(Tier::a, "everywhere");
+  row(Tier::b, fmt::format("alone on the terrain; against moving bodies to {:g} of the size", loose_share));
+  row(Tier::c, fmt::format("to {:g} of the size", loose_share));
+  return text;
+}
+
 }  // namespace
 
 std::string shape_pairs(const std::vector<const PluginSpec*>& shapes, const std::string& folder) {
@@ -123,8 +149,8 @@ std::string shape_pairs(const std::vector<const PluginSpec*>& shapes, const std:
       "2D and 3D; each has its row in the table of its example. The parts of a compound touch as their "
       "shapes "
       "do. The ground is a profile, benches or a section in 2D, and a plane, a mesh, a raster or benches in "
-      "3D.\n\n{}\n{}",
-      table_of(in_plane), table_of(in_space));
+      "3D.\n\n{}\n{}\n{}",
+      table_of(in_plane), table_of(in_space), tier_table(in_plane, in_space));
 }
 
 }  // namespace flyrock::cli

@@ -19,6 +19,36 @@ enum class Form {
 template <int D>
 inline constexpr int form_count = D == 2 ? 5 : 8;
 
+/// What is promised of the contacts of a form (docs/numerics.md, Tiers of shapes). Scenarios of quarries need
+/// tier a only. Tiers b and c get no rules or constants of their own for single scenes.
+enum class Tier {
+  a,  ///< all promises, among moving bodies too
+  b,  ///< all promises while it is alone on the terrain; to `loose_share` of its size against moving bodies
+  c   ///< to `loose_share` of its size. Pneumatic shapes too, whatever their form
+};
+inline constexpr double loose_share = 1e-3;
+
+template <int D>
+constexpr Tier tier_of(Form form) {
+  switch (form) {
+    case Form::ball:
+    case Form::hull:
+      return Tier::a;
+    case Form::pill:
+      return D == 2 ? Tier::a : Tier::b;
+    case Form::hollow:
+      return Tier::c;
+    case Form::outline:
+    case Form::smooth:
+    case Form::half_space:
+    case Form::cloud:
+      return Tier::b;
+  }
+  return Tier::c;
+}
+
+constexpr char name_of(Tier tier) { return tier == Tier::a ? 'A' : tier == Tier::b ? 'B' : 'C'; }
+
 /// Whether it is solid outside of a convex region and has no outside that could touch.
 constexpr bool is_hollow(Form form) { return form == Form::hollow || form == Form::half_space; }
 

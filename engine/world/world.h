@@ -96,6 +96,7 @@ class World {
   const Terrain& terrain() const { return *terrain_; }
   const Vec<D>& gravity() const { return gravity_; }
   const WorldSettings& settings() const { return settings_; }
+  bool bodies_meet() const { return settings_.body_contacts && bodies.size() > 1; }
   const std::vector<Contact>& contacts() const { return contacts_; }
   /// The memory of searches, for those that a flight makes between the bodies.
   Workspace& workspace() { return work_; }
@@ -214,7 +215,6 @@ class World {
   void know(PairLaws* laws);
   PairLaws* pair_laws(int a, int b);
 
-  bool bodies_meet() const { return settings_.body_contacts && bodies.size() > 1; }
   /// Calls use(body, columns) for the bodies of contact a, the candidate first.
   template <class Use>
   void for_bodies(std::size_t a, Use use) const {

@@ -38,6 +38,7 @@ double seconds_of(clockid_t clock) {
 struct Shared {
   std::atomic<std::uint64_t> number;     ///< of the mutant under way
   std::atomic<bool> attempts;            ///< false as long as the child gets ready
+  std::atomic<bool> is_listed;           ///< what is found of this mutant is no failure
   std::atomic<double> processor_before;  ///< the child's time of the processor when the mutant began
   Tally tally;
 };
@@ -114,13 +115,13 @@ void limit_memory() {
 }
 
 void judge(const Batch& batch, std::uint64_t number, const Calls& calls, const Capture& capture,
-           Tally& tally) {
+           bool is_listed, Tally& tally) {
   ++tally.mutants;
   ++tally.codes[std::clamp(calls.gravest(), 0, 3)];
-  Finding finding{std::string(batch.kind.name), batch.seed,   number, calls.fault(),
-                  joined(calls.lines()),        capture.err()};
+  Finding finding{std::string(batch.kind.name), batch.seed,    number,   calls.fault(),
+                  joined(calls.lines()),        capture.err(), is_listed};
   if (!calls.fault().empty()) {
-    ++tally.wrong;
+    ++(is_listed ? tally.listed : tally.wrong);
     save(finding, fs::current_path(), batch.findings);
   } else if (!calls.rocks().empty()) {
     ++tally.rock_faults;
@@ -144,12 +145,13 @@ void attempt_all(const Batch& batch, std::uint64_t first, double deadline, const
     shared->number = number;
     if (seconds_of(CLOCK_MONOTONIC) > deadline) return;
     shared->processor_before = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
+    shared->is_listed = false;
     shared->attempts = true;
     scratch.clear();
     Dice dice = dice_of(batch.kind, batch.seed, number);
-    Calls calls(&capture);
+    Calls calls(&capture, &shared->is_listed);
     kind->attempt(dice, calls);
-    judge(batch, number, calls, capture, shared->tally);
+    judge(batch, number, calls, capture, shared->is_listed, shared->tally);
   }
   shared->number = batch.first + batch.count;
 }
@@ -216,9 +218,10 @@ std::uint64_t run_batch(const Batch& batch, Tally& tally) {
     next = shared->number;
     if (!hung && WIFEXITED(status) && WEXITSTATUS(status) == 0) break;
     ++shared->tally.mutants;
-    ++(hung ? shared->tally.hangs : shared->tally.signals);
+    const bool is_listed = hung && shared->is_listed;
+    ++(is_listed ? shared->tally.listed : hung ? shared->tally.hangs : shared->tally.signals);
     save({std::string(batch.kind.name), batch.seed, next, hung ? "hang" : how_it_ended(status), "",
-          capture.err()},
+          capture.err(), is_listed},
          scratch.path(), batch.findings);
     ++next;
   }

@@ -21,6 +21,7 @@ struct Tally {
   std::uint64_t hangs = 0;
   std::uint64_t wrong =
       0;  ///< found by fault_of(): an error without a line, an exit code that is not documented
+  std::uint64_t listed = 0;       ///< hangs and wrong ones of mutants that promise less (Calls::only_list)
   std::uint64_t rock_faults = 0;  ///< runs that report failed rocks: exit code 3
 
   std::uint64_t findings() const { return signals + hangs + wrong; }

@@ -1,6 +1,7 @@
 #pragma once
 // Calls commands of flyrock without a process for each, and keeps their answers to one mutant.
 
+#include <atomic>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -28,7 +29,9 @@ class Capture {
 
 class Calls {
  public:
-  explicit Calls(const Capture* capture) : capture_(capture) {}
+  /// `is_listed` is what only_list() sets.
+  explicit Calls(const Capture* capture, std::atomic<bool>* is_listed = nullptr)
+      : capture_(capture), is_listed_(is_listed) {}
 
   /// Calls a command in the current folder, judges its answer and returns its exit code. Without a capture
   /// (to look at one mutant) the command prints as usual and is not judged.
@@ -38,6 +41,11 @@ class Calls {
   void blame(const std::string& fault) {
     if (fault_.empty()) fault_ = fault;
     if (!capture_ && !fault.empty()) std::printf("wrong: %s\n", fault.c_str());
+  }
+
+  /// From here on what is found of this mutant goes on a list and is no failure, except for a signal.
+  void only_list() {
+    if (is_listed_) *is_listed_ = true;
   }
 
   /// Whether answers are kept; if not, they are on the terminal.
@@ -53,6 +61,7 @@ class Calls {
 
  private:
   const Capture* capture_;
+  std::atomic<bool>* is_listed_;
   std::vector<std::string> lines_;
   int gravest_ = 0;
   std::string fault_, rocks_, err_;

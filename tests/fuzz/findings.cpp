@@ -31,7 +31,7 @@ std::ptrdiff_t saved_of(const std::string& kind, const fs::path& folder) {
 
 void save(const Finding& finding, const fs::path& from, const fs::path& folder) {
   fs::create_directories(folder);
-  append_line(finding, folder / "findings.txt");
+  append_line(finding, folder / (finding.is_listed ? "listed.txt" : "findings.txt"));
   if (saved_of(finding.kind, folder) >= most_saved) return;
   const fs::path place = folder / fmt::format("{}-{}-{}", finding.kind, finding.seed, finding.number);
   std::error_code code;

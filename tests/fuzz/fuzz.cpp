@@ -41,12 +41,13 @@ void add(Tally& sum, const Tally& more) {
   sum.signals += more.signals;
   sum.hangs += more.hangs;
   sum.wrong += more.wrong;
+  sum.listed += more.listed;
   sum.rock_faults += more.rock_faults;
 }
 
 std::string row_of(const std::string& kind, const Tally& t) {
-  return fmt::format("{:<10} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", kind, t.mutants,
-                     t.codes[0], t.codes[1], t.codes[2], t.codes[3], t.signals, t.hangs, t.wrong,
+  return fmt::format("{:<10} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", kind, t.mutants,
+                     t.codes[0], t.codes[1], t.codes[2], t.codes[3], t.signals, t.hangs, t.wrong, t.listed,
                      t.rock_faults);
 }
 
@@ -71,8 +72,8 @@ Tally sum_of(const std::vector<KindTally>& tallies) {
 
 std::string table_of(const std::vector<KindTally>& tallies) {
   std::string table =
-      fmt::format("{:<10} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "kind", "mutants",
-                  "exit 0", "exit 1", "exit 2", "exit 3", "signals", "hangs", "wrong", "faults");
+      fmt::format("{:<10} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", "kind", "mutants",
+                  "exit 0", "exit 1", "exit 2", "exit 3", "signals", "hangs", "wrong", "listed", "faults");
   for (const KindTally& each : tallies) table += row_of(each.kind, each.tally);
   return table + row_of("all", sum_of(tallies));
 }

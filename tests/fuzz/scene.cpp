@@ -116,6 +116,8 @@ class SceneMaker {
 
   std::string air() { return dice_.one_in(6) ? "air: { density: 1.2 kg/m3, cd: 0.8 }\n" : ""; }
 
+  void has(Tier tier) { scene_.tier = std::max(scene_.tier, tier); }
+
   std::string points_of_hull(double size) {
     std::string points;
     for (std::size_t count = 6 + dice_.below(12), i = 0; i < count; ++i)
@@ -141,7 +143,9 @@ class SceneMaker {
                              dice_.one_in(3) ? fmt::format(", rounding: {:.5g}", 0.05 * b) : "");
       }
     }
-    switch (dice_.below(7)) {
+    const std::size_t kind = dice_.below(7);
+    if (kind >= 1 && kind <= 4) has(Tier::b);
+    switch (kind) {
       case 0:
         return fmt::format("{{ type: sphere, radius: {} }}", a);
       case 1:
@@ -162,6 +166,7 @@ class SceneMaker {
   /// A ring around gas.
   std::string pneumatic(const char* type, double radius) {
     scene_.gives_energy = true;  // that of the gas is in no table
+    has(Tier::c);
     return fmt::format("{{ type: {}, radius: {}, pressure: {} Pa, damping: {} N s/m }}", type, radius,
                        number(1.5e5, 6e5), number(0, 1e4));
   }
@@ -180,6 +185,7 @@ class SceneMaker {
       case 2:
         return fmt::format("{{ type: random_polyhedron, diameter: {}, flatness: {:.3g} }}", a + b, c / size);
       default:
+        has(Tier::b);
         scene_.clouds.push_back(name);
         write_here(name + ".obj", octahedron(a, b, c));
         return fmt::format("{{ type: mesh_point, file: {}.obj }}", name);
@@ -195,6 +201,7 @@ class SceneMaker {
 
   /// A solid with one step, of two boxes. Its body has no spin.
   std::string step(const std::string& name, double size) {
+    has(Tier::b);
     const double w = number(0.4 * size, size), h = number(0.2 * size, 0.5 * size);
     const std::array<Vec2, 6> outline{Vec2(-w, -h), Vec2(-w, h), Vec2(0, h),
                                       Vec2(0, 0),   Vec2(w, 0),  Vec2(w, -h)};
@@ -260,13 +267,17 @@ class SceneMaker {
     std::string text = "bodies:\n";
     double top = highest_ground();
     const std::size_t count = 1 + dice_.below(4);
+    scene_.bodies = static_cast<int>(count);
     for (std::size_t i = 0; i < count; ++i) {
       const double size = std::pow(10, draw(-1, i == 0 ? 0.4 : 0)), reach = 2 * size;
       const std::size_t way = i + 1 < count ? dice_.below(4) : 3;  // the last one is free
       const std::string name = fmt::format("b{}", i);
       const bool is_plane = scene_.dimension == 3 && i == 0 && way < 2 && dice_.one_in(5),
                  is_step = !is_plane && way < 2 && dice_.one_in(4);
-      if (is_plane) scene_.planes.push_back(name);
+      if (is_plane) {
+        has(Tier::b);
+        scene_.planes.push_back(name);
+      }
       const double z = std::stod(fmt::format("{:.6g}", top + reach + (way == 3 ? draw(0.01, 1) : 0.01)));
       top = z + reach;
       const double x = number(-1, 1), y = number(-1, 1);
@@ -303,6 +314,7 @@ class SceneMaker {
       return flat ? fmt::format("[{}, {}]", x, z + up) : fmt::format("[{}, 0, {}]", x, z + up);
     };
     const auto spin = [&] { return flat ? fmt::format("{}", number(-5, 5)) : vector(5); };
+    has(Tier::c);
     scene_.hollows.push_back({"hollow", radius, half_length});
     const std::string wall =
         !flat ? fmt::format("{{ type: hollow_cylinder, radius: {}, height: {} }}", radius, 2 * half_length)
@@ -322,6 +334,7 @@ class SceneMaker {
     text += " }\n";
     const double free_place = radius - 1.1 * size;
     const bool both = !hangs && radius > 2.5 * size && dice_.one_in(2);
+    scene_.bodies = both ? 3 : 2;
     for (int i = 0; i < (both ? 2 : 1); ++i) {
       const double x = both ? (i == 0 ? -1.1 : 1.1) * size : number(-0.7 * free_place, 0.7 * free_place);
       text += fmt::format("  - {{ name: c{}, shape: {}, density: 2700, material: m, position: {}{}", i,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dice.h"
+#include "geometry/form.h"
 #include "math/space.h"
 
 namespace flyrock::fuzz {
@@ -29,7 +30,9 @@ struct Scene {
   bool law_gains = false;     ///< Newton's form of restitution: an impact may gain the energy that it reports
   bool may_jam = false;       ///< a driven body may press others without a way out: no run can go on then
   bool is_spring = false;     ///< contacts penetrate by design
-  double fall = 1;            ///< m, the greatest height of a body over the lowest ground
+  Tier tier = Tier::a;        ///< the greatest of its shapes
+  int bodies = 0;
+  double fall = 1;  ///< m, the greatest height of a body over the lowest ground
   std::vector<HollowBody> hollows;
   std::vector<BlockOfBody> blocks;
   std::vector<std::string> planes;  ///< bodies that are the half space below their own z axis
@@ -42,6 +45,11 @@ struct Scene {
   Vec2 corner = Vec2::Zero();   ///< south-western, centre of the first cell
   std::vector<double> heights;  ///< m, row by row from the south
 };
+
+/// Whether its shapes are held to all promises (geometry/form.h, Tier).
+inline bool is_promised(const Scene& scene) {
+  return scene.tier == Tier::a || (scene.tier == Tier::b && scene.bodies == 1);
+}
 
 /// A function of the dice alone. Writes the files that the text names into the current folder.
 Scene make_scene(Dice& dice);

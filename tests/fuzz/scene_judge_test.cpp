@@ -150,7 +150,7 @@ output: { series: { every: step }, trajectories: { first: 1 } }
   CHECK(verdict_of(scene) == "");
 }
 
-TEST_CASE("What moves in a tube stays in it") {
+TEST_CASE("What moves in a tube stays in it", "[slow]") {
   Scene scene;
   scene.fall = 20;
   // A vertex that an impact had opened came back within a step that other vertices held: 9e-5 m.

@@ -13,6 +13,7 @@ class Scenes : public Kind {
  public:
   void attempt(Dice& dice, Calls& call) override {
     const Scene scene = make_scene(dice);
+    if (!is_promised(scene)) call.only_list();
     write_here("s.yaml", scene.text);
     const int code = call({"run", "s.yaml", "-o", "out", "--force", "--quiet", "-j", "1"}, ErrorForm::placed);
     call.blame(code == cli::bad_input ? "a scene that should be sound is bad input"

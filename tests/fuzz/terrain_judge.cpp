@@ -6,6 +6,7 @@
 
 #include "batch/load.h"
 #include "batch/trial.h"
+#include "geometry/ground.h"
 
 namespace flyrock::fuzz {
 
