@@ -7,8 +7,6 @@ PACKAGES := g++ cmake ninja-build libeigen3-dev libyaml-cpp-dev liblua5.4-dev li
   libtinyobjloader-dev catch2 npm
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 JOBS := $(shell nproc)
-# One more than there are processors: many tests wait for the disk or for another process.
-TEST_JOBS := $(shell echo $$(($(JOBS) + 1)))
 PLOTLY := node_modules/plotly.js-gl3d-dist-min/plotly-gl3d.min.js
 
 help:
@@ -71,7 +69,7 @@ $(PLOTLY): package-lock.json
 build-%: deps
 	cmake --preset $* > build-$*.log 2>&1 || { cat build-$*.log; rm -f build-$*.log; exit 1; }
 	@rm -f build-$*.log
-	cmake --build --preset $* -j $(JOBS)
+	cmake --build --preset $* -j $(JOBS) $(if $(TARGETS),--target $(TARGETS))
 
 demo: build-bench
 	build/bench/bin/flyrock run scenarios/ninh_dan/benches_2d.yaml -o out/benches_2d --force
@@ -92,13 +90,12 @@ deb: build-bench
 archive: build-bench
 	engine/archive.sh build/bench out/archive
 
-test: deps-format build-release build-dev
-	ctest --test-dir build/dev -L fast -j $(TEST_JOBS) --output-on-failure
-	ctest --test-dir build/release -L 'fast|full' -j $(TEST_JOBS) --output-on-failure
+test: deps-format
+	tests/tiers.sh test $(JOBS)
 
 # Other optimisation, and the thread sanitizer, against the same golden bytes: only what that needs is built.
-test-heavy: build-release golden-unoptimised golden-optimised golden-threads
-	ctest --test-dir build/release -L heavy --output-on-failure
+test-heavy: golden-unoptimised golden-optimised golden-threads
+	tests/tiers.sh heavy $(JOBS)
 
 SECONDS := 60
 SEED := 1
@@ -109,13 +106,13 @@ golden-%: deps
 	cmake --preset $* > build-$*.log 2>&1 || { cat build-$*.log; rm -f build-$*.log; exit 1; }
 	@rm -f build-$*.log
 	cmake --build --preset $* -j $(JOBS) --target flyrock_golden_tests
-	FLYROCK_GOLDEN_THREADS=8 build/$*/bin/flyrock_golden_tests '~[slow]'
+	FLYROCK_GOLDEN_THREADS=8 build/$*/bin/flyrock_golden_tests '~[heavy]'
 
 # Writes the golden bytes anew, which every build must give; CHANGELOG.md says why they change.
 golden: deps
 	cmake --preset release > /dev/null
 	cmake --build --preset release -j $(JOBS) --target flyrock_golden_tests
-	FLYROCK_UPDATE_GOLDEN=1 build/release/bin/flyrock_golden_tests '~[slow]'
+	FLYROCK_UPDATE_GOLDEN=1 build/release/bin/flyrock_golden_tests '~[heavy]'
 
 # Fits to measured sites in DATA (docs/validation.md); a site that is absent is SKIPPED.
 DATA := ../shared/data/field

@@ -141,7 +141,7 @@ TEST_CASE("A terrain file that was edited is another scenario") {
   CHECK(call(folder, "merge a b -o m").err.find("a and b are of different scenarios") != std::string::npos);
 }
 
-TEST_CASE("Three shards merged are one run") {
+TEST_CASE("Three shards merged are one run", "[slow]") {
   const Folder folder;
   folder.write("s.yaml", sweep());
   REQUIRE(call(folder, "run s.yaml --quiet -o whole").code == 0);
@@ -183,7 +183,7 @@ TEST_CASE("Three shards merged are one run") {
         std::string::npos);
 }
 
-TEST_CASE("With rows off the results are those of all rocks, and rows are those of the first") {
+TEST_CASE("With rows off the results are those of all rocks, and rows are those of the first", "[slow]") {
   const Folder folder;
   const std::string trials = std::to_string(flyrock::samples(300));
   const std::string run = std::string("run '") +

@@ -322,7 +322,7 @@ TEST_CASE("The pages do what they say", "[slow]") {
   for (const fs::path& page : pages()) follow(page);
 }
 
-TEST_CASE("the recipes for other programs run where these are installed") {
+TEST_CASE("the recipes for other programs run where these are installed", "[slow]") {
   const Folder folder;
   const Output run = call(
       folder, "run " FLYROCK_SOURCE_DIR

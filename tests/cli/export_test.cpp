@@ -199,7 +199,8 @@ TEST_CASE("Trajectories are exported for ParaView") {
     CHECK(end.find(x.substr(0, 8), at) != std::string::npos);
 }
 
-TEST_CASE("ParaView gets the surfaces of rocks, where they are and as they are turned at stored samples") {
+TEST_CASE("ParaView gets the surfaces of rocks, where they are and as they are turned at stored samples",
+          "[slow]") {
   const Folder folder;
   folder.write("s.yaml", thrown);
   REQUIRE(call(folder, "run s.yaml -o r --quiet").code == 0);

@@ -56,7 +56,7 @@ const char* const methods[] = {"ballistic", "lumped_mass", "nscd"};
 
 }  // namespace
 
-TEST_CASE("a tree takes its energy of a rock, by every method") {
+TEST_CASE("a tree takes its energy of a rock, by every method", "[slow]") {
   const Folder folder;
   for (const char* method : methods) {
     INFO(method);
@@ -82,7 +82,8 @@ TEST_CASE("a tree takes its energy of a rock, by every method") {
   }
 }
 
-TEST_CASE("trees that take no energy and turn no rock leave all other rows as they are, to the byte") {
+TEST_CASE("trees that take no energy and turn no rock leave all other rows as they are, to the byte",
+          "[slow]") {
   const Folder folder;
   for (const char* method : methods) {
     INFO(method);

@@ -98,7 +98,7 @@ TEST_CASE("of two holes the one with half the burden throws by Richards and Moor
   CHECK(risk[0]["holes"][0]["share"] == 1.0);
 }
 
-TEST_CASE("each launch model reads its own hole as if it were the blast") {
+TEST_CASE("each launch model reads its own hole as if it were the blast", "[slow]") {
   const std::string alone =
       "  hole: { diameter: 115 mm, stemming: 2.2 m, charge_length: 6 m, linear_charge: 8.1 kg/m }\n  burden: "
       "2.4 m\n";

@@ -99,7 +99,7 @@ TEST_CASE("the installed program runs by itself, and templates of every kind are
   CHECK(other.err.find("version") != std::string::npos);
 }
 
-TEST_CASE("the archive runs with its own libraries only, and gives the same bytes", "[slow]") {
+TEST_CASE("the archive runs with its own libraries only, and gives the same bytes", "[heavy]") {
   const Folder folder;
   const std::string build = fs::path(FLYROCK_BINARY).parent_path().parent_path().string();
   const Output packed = shell(folder, "'" FLYROCK_SOURCE_DIR "/engine/archive.sh' '" + build + "' packed");

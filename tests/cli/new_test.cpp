@@ -33,7 +33,7 @@ TEST_CASE("new lists what there is, and each template of a plugin is a sound one
   CHECK(templates == 8);
 }
 
-TEST_CASE("new copies a scenario with the files that it names, and never over a file") {
+TEST_CASE("new copies a scenario with the files that it names, and never over a file", "[slow]") {
   const Folder folder;
   const Output made = call(folder, "new quarry/permit -o site");
   INFO(made.err);

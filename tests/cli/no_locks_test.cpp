@@ -66,7 +66,7 @@ class Background {
 
 }  // namespace
 
-TEST_CASE("Without locks run, resume, merge, report and export work, with one warning") {
+TEST_CASE("Without locks run, resume, merge, report and export work, with one warning", "[slow]") {
   const Folder folder;
   folder.write("s.yaml", bench);
   REQUIRE(call(folder, "run s.yaml --quiet -o whole").code == 0);

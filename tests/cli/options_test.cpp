@@ -158,7 +158,7 @@ void fill(const Folder& folder) {
 
 }  // namespace
 
-TEST_CASE("Every option of every command takes or explains each of some bad values", "[slow]") {
+TEST_CASE("Every option of every command takes or explains each of some bad values", "[heavy]") {
   const Folder folder;
   fill(folder);
   int tried = 0;

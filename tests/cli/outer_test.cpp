@@ -29,7 +29,8 @@ nlohmann::json summary_of(const Folder& folder, const std::string& result) {
   return nlohmann::json::parse(read(folder.path() / result / "summary.json"));
 }
 
-TEST_CASE("runs of `outer` have the same bytes over threads and shards, and a sentence in the answer") {
+TEST_CASE("runs of `outer` have the same bytes over threads and shards, and a sentence in the answer",
+          "[slow]") {
   const Folder folder;
   folder.write("s.yaml", scenario);
   call_well(folder, "run s.yaml -o one -j 1 --quiet");
@@ -55,7 +56,7 @@ TEST_CASE("runs of `outer` have the same bytes over threads and shards, and a se
   CHECK(read(folder.path() / "one/report.html").find("outer_section") != std::string::npos);
 }
 
-TEST_CASE("the map of hits gives the landings of a blast, and other methods have none") {
+TEST_CASE("the map of hits gives the landings of a blast, and other methods have none", "[slow]") {
   const Folder folder;
   folder.write("s.yaml", scenario);
   call_well(folder, "run s.yaml -o r --quiet");

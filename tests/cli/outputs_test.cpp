@@ -9,7 +9,8 @@ using namespace flyrock::test;
 
 namespace outputs_test {
 
-TEST_CASE("Outputs that are closed or full end no command with a signal, and no run without its result") {
+TEST_CASE("Outputs that are closed or full end no command with a signal, and no run without its result",
+          "[slow]") {
   const Folder folder;
   folder.write("s.yaml", bench);
   folder.write("bad.yaml", "flyrock: 2\n");

@@ -14,6 +14,7 @@
 #include "document/yaml_reader.h"
 #include "host/session.h"
 #include "scenario/decode.h"
+#include "units/units.h"
 
 namespace flyrock::schema_test {
 
@@ -294,7 +295,7 @@ TEST_CASE(
 }
 
 TEST_CASE("every key: wrong types, unknown names and missing keys are refused by the JSON Schema as by check",
-          "[slow]") {
+          "[heavy]") {
   if (!has_jsonschema()) {
     WARN("SKIPPED: no python3-jsonschema");
     return;

@@ -4,7 +4,8 @@
 
 using namespace flyrock::test;
 
-TEST_CASE("Contacts that close again, or elsewhere, within a step let no body sink or gain energy") {
+TEST_CASE("Contacts that close again, or elsewhere, within a step let no body sink or gain energy",
+          "[slow]") {
   const char* name =
       GENERATE("cylinder_sinks_into_box", "cylinder_sinks_into_box_no_spin", "cylinder_sinks_into_free_block",
                "coin_through_thin_plate_depth", "coin_through_thin_plate_hangs",

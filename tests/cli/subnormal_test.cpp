@@ -33,7 +33,7 @@ void check_readable(const Folder& folder) {
 
 }  // namespace
 
-TEST_CASE("A speed or an energy of any smallness is a number of the result, and of its page", "[slow]") {
+TEST_CASE("A speed or an energy of any smallness is a number of the result, and of its page", "[heavy]") {
   const Folder folder;
   const char* const numbers[] = {"1e-30", "1e-150", "1e-156", "-1e-160", "1e-300", "5e-324"};
   for (const int dimension : {2, 3})

@@ -42,7 +42,7 @@ std::string blocks(const std::vector<std::string>& stops) {
 
 }  // namespace
 
-TEST_CASE("validation finds the numbers of a site that flyrock made, with scores in their noise", "[slow]") {
+TEST_CASE("validation finds the numbers of a site that flyrock made, with scores in their noise", "[heavy]") {
   const Folder folder;
   if (shell(folder, "python3 --version").code != 0) {
     WARN("SKIPPED: no python3");

@@ -56,7 +56,7 @@ void run_few(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("every shipped scenario runs", "[slow]") {
+TEST_CASE("every shipped scenario runs", "[heavy]") {
   for (const std::string& path : scenario_files(FLYROCK_SOURCE_DIR "/scenarios", false)) run_few(path);
 }
 

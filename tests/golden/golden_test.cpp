@@ -80,7 +80,7 @@ TEST_CASE("The shipped scenarios give the golden bytes") {
   compare(hashes);
 }
 
-TEST_CASE("Each shipped scenario gives the golden bytes over the other numbers of threads too", "[slow]") {
+TEST_CASE("Each shipped scenario gives the golden bytes over the other numbers of threads too", "[heavy]") {
   const Folder folder;
   const std::vector<std::string> names = shipped(), threads = thread_numbers();
   for (std::size_t others = 1; others < threads.size(); ++others) {

@@ -196,6 +196,6 @@ TEST_CASE("a sample of bad values at every key of the schema is refused at its p
   try_bad_values(0, 47);
 }
 
-TEST_CASE("each bad value at every key of the schema is refused at its place or taken", "[slow]") {
+TEST_CASE("each bad value at every key of the schema is refused at its place or taken", "[heavy]") {
   try_bad_values(0, 1);
 }
