@@ -3,10 +3,19 @@
 
 #include <memory>
 
-#include "plugin/contact_law.h"
-#include "plugin/models.h"
+namespace flyrock {
 
-namespace flyrock::plugins {
+class Params;
+class ShapeModel;
+class Population;
+class RestitutionLaw;
+class FrictionLaw;
+class RollingLaw;
+class UnilateralLaw;
+class VelocityModel;
+class TerrainModel;
+
+namespace plugins {
 
 std::unique_ptr<ShapeModel> make_disk(Params& params);
 std::unique_ptr<ShapeModel> make_polygon(Params& params);
@@ -49,4 +58,5 @@ std::unique_ptr<TerrainModel> make_plane(Params& params);
 std::unique_ptr<TerrainModel> make_mesh(Params& params);
 std::unique_ptr<TerrainModel> make_raster(Params& params);
 
-}  // namespace flyrock::plugins
+}  // namespace plugins
+}  // namespace flyrock

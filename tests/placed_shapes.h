@@ -7,6 +7,7 @@
 #include "collision/geometry.h"
 #include "conformance/plugin_use.h"
 #include "dice.h"
+#include "plugin/models.h"
 
 namespace flyrock {
 

@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "document/node.h"
+#include "document/value.h"
+#include "scenario/plan.h"
 #include "trial/build_trial.h"
 
 namespace flyrock {

@@ -8,6 +8,10 @@
 
 namespace flyrock {
 
+struct Plan;
+
+struct Value;
+
 /// The number of rocks (or blasts) that a clearance needs: so many that 10 of them are expected beyond it.
 /// Fewer say too little about the tail.
 std::uint64_t needed_for(double probability);

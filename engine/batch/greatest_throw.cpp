@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <map>
 
+#include "document/value.h"
 #include "flight/shroud.h"
 #include "scenario/blast_readers.h"
+#include "scenario/plan.h"
 #include "trial/build_trial.h"
 
 namespace flyrock {

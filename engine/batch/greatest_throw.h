@@ -7,6 +7,10 @@
 
 namespace flyrock {
 
+struct Plan;
+
+struct Value;
+
 /// Richards-Moore, McKenzie and Lundborg fitted the greatest throw observed in air, at 45 degrees (ejected
 /// stemming: along the hole). Their launch speed reaches this distance without air, at this angle. With drag,
 /// or at another angle, all rocks land short of it, because the effect of the air is then counted twice.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "batch/safe_file.h"
+#include "blast/blast.h"
 #include "document/node.h"
 #include "document/yaml_reader.h"
 

@@ -14,6 +14,7 @@
 #include "batch/record_check.h"
 #include "batch/safe_file.h"
 #include "flight/run.h"
+#include "scenario/plan.h"
 
 namespace flyrock {
 

@@ -17,6 +17,8 @@
 
 namespace flyrock {
 
+struct Plan;
+
 /// Appends one trial of one point to `out`, and returns what its Lua code printed, which is for the terminal
 /// only.
 using RunTrial = std::function<PrintLog(int point, std::uint64_t trial, TrialRecords& out)>;

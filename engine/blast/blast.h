@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "units/units.h"
+#include "units/dimension.h"
 #include "units/usual.h"
 
 namespace flyrock {

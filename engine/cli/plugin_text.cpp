@@ -10,6 +10,7 @@
 #include "document/value.h"
 #include "document/wording.h"
 #include "host/share.h"
+#include "units/units.h"
 
 namespace flyrock::cli {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "results/results.h"
+#include "scenario/plan.h"
 
 namespace flyrock::cli {
 

@@ -14,10 +14,11 @@
 #include <optional>
 
 #include "collision/placed.h"
-#include "geometry/ground.h"
 #include "geometry/ground2.h"
 
 namespace flyrock {
+
+class Ground3;
 
 /// The part of a contactor or of the ground that touches. World frame.
 template <int D>

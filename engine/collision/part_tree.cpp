@@ -4,6 +4,8 @@
 #include <numeric>
 #include <span>
 
+#include "geometry/ground.h"
+
 namespace flyrock {
 
 namespace {

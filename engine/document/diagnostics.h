@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "document/value.h"
+#include "document/location.h"
 
 namespace flyrock {
 

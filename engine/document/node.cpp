@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "document/value.h"
+
 namespace flyrock {
 
 std::string shown(const Value& value) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "document/diagnostics.h"
+#include "document/value.h"
 #include "document/wording.h"
 
 namespace flyrock {

@@ -1,26 +1,14 @@
 #pragma once
 // The tree of located values. YAML and Lua scenarios both become such a tree.
 
-#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "document/location.h"
+
 namespace flyrock {
-
-/// A text that contains values: a file, or an argument of the command line.
-struct Source {
-  std::string name;                ///< as messages show it
-  std::vector<std::string> lines;  ///< empty if there is nothing to quote
-};
-
-/// A place in a source. Lines and columns count from 1; 0 means unknown.
-struct Location {
-  std::shared_ptr<const Source> source;
-  int line = 0;
-  int column = 0;
-};
 
 struct Value;
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "document/diagnostics.h"
+#include "document/value.h"
 
 namespace flyrock {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/ground.h"
+#include "geometry/profile.h"
 #include "math/polynomial.h"
 
 namespace flyrock {

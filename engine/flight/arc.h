@@ -5,11 +5,13 @@
 #include <optional>
 
 #include "flight/parabola.h"
-#include "geometry/ground.h"
-#include "geometry/profile.h"
+#include "geometry/box.h"
 #include "math/space.h"
 
 namespace flyrock {
+
+class Ground3;
+struct Profile;
 
 /// The path over [start, start + length] as a polynomial of degree 5 in s = (t - start) / length: p(s) = c0 +
 /// c1 s + ... + c5 s^5. It matches position, velocity and acceleration at both ends. Without air, c3, c4 and

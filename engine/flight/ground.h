@@ -7,6 +7,7 @@
 #include <string>
 
 #include "collision/geometry.h"
+#include "geometry/ground.h"
 
 namespace flyrock {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/profile.h"
 #include "math/polynomial.h"
 
 namespace flyrock {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "geometry/ground.h"
+
 namespace flyrock {
 
 namespace {

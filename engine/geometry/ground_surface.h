@@ -1,9 +1,14 @@
 #pragma once
 // A piece of the ground in 3D as a mesh, for pictures and exports.
 
-#include "geometry/ground.h"
+#include <vector>
+
+#include "geometry/box.h"
+#include "geometry/mesh.h"
 
 namespace flyrock {
+
+class Ground3;
 
 /// Triangles of the ground over a rectangle in plan.
 struct GroundSurface {

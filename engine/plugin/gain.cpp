@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "plugin/contact_law.h"
+
 namespace flyrock {
 
 namespace {

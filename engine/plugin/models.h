@@ -12,6 +12,8 @@
 #include "geometry/contactor3.h"
 #include "geometry/own_mass.h"
 #include "geometry/pneumatic.h"
+#include "geometry/profile.h"
+#include "geometry/terrain_shape.h"
 #include "plugin/params.h"
 #include "plugin/terrain_view.h"
 #include "random/stream.h"

@@ -2,10 +2,9 @@
 // The entry points of a shared object with native plugins.
 
 #include <Eigen/Core>
-#include <map>
-#include <string>
-#include <utility>
 
+#include "plugin/contact_law.h"
+#include "plugin/models.h"
 #include "plugin/registry.h"
 
 namespace flyrock {
@@ -27,9 +26,6 @@ constexpr ModuleTag module_tag() {
           EIGEN_MAX_ALIGN_BYTES,
           FLYROCK_ENGINE_VERSION};
 }
-
-/// Factories by kind and name, filled by a module.
-using FactoryTable = std::map<std::pair<PluginKind, std::string>, Factory>;
 
 }  // namespace flyrock
 

@@ -3,6 +3,8 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include "plugin/module.h"
+
 namespace flyrock {
 
 std::string load_module(const std::string& path, FactoryTable& table) {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "plugin/module.h"
+#include "plugin/registry.h"
 
 namespace flyrock {
 

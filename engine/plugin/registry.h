@@ -6,13 +6,23 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
-#include "plugin/contact_law.h"
-#include "plugin/models.h"
+#include "plugin/params.h"
 
 namespace flyrock {
+
+// The interfaces of the kinds: plugin/contact_law.h has the laws, plugin/models.h the others.
+class ShapeModel;
+class Population;
+class RestitutionLaw;
+class FrictionLaw;
+class RollingLaw;
+class UnilateralLaw;
+class VelocityModel;
+class TerrainModel;
 
 template <class Interface>
 using FactoryOf = std::function<std::unique_ptr<Interface>(Params&)>;
@@ -21,6 +31,9 @@ using FactoryOf = std::function<std::unique_ptr<Interface>(Params&)>;
 using Factory = std::variant<FactoryOf<ShapeModel>, FactoryOf<Population>, FactoryOf<RestitutionLaw>,
                              FactoryOf<FrictionLaw>, FactoryOf<RollingLaw>, FactoryOf<UnilateralLaw>,
                              FactoryOf<VelocityModel>, FactoryOf<TerrainModel>>;
+
+/// Factories by kind and name, filled by a module (plugin/module.h).
+using FactoryTable = std::map<std::pair<PluginKind, std::string>, Factory>;
 
 struct Plugin {
   PluginSpec spec;
@@ -61,7 +74,8 @@ struct ShapePart {
   static constexpr std::size_t place_slots(int dimension) { return dimension == 2 ? 3 : 7; }
 };
 
-/// Makes an instance, and checks that it has read all parameters that its plugin declares.
+/// Makes an instance, and checks that it has read all parameters that its plugin declares. The caller
+/// includes the header of the interface.
 template <class Interface>
 std::unique_ptr<Interface> make_instance(const PluginUse& use, int dimension) {
   Params params(use.plugin->spec, use.values, dimension);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "plugin/gain.h"
+#include "units/units.h"
 
 namespace flyrock {
 

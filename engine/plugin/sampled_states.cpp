@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/ground.h"
+
 namespace flyrock {
 
 RandomStream sampled_stream(int number) {

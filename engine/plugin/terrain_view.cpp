@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "geometry/ground.h"
+#include "geometry/profile.h"
+
 namespace flyrock {
 
 Vec2 TerrainView::low() const {
@@ -14,13 +17,9 @@ Vec2 TerrainView::high() const {
   return ground_->extent().high.head<2>() + origin_.head<2>();
 }
 
-std::optional<Ground3::Crossing> TerrainView::top(double x, double y) const {
-  return ground_->top(x - origin_.x(), y - origin_.y());
-}
-
 std::optional<double> TerrainView::height(double x, double y) const {
   if (!profile_) {
-    const auto found = top(x, y);
+    const auto found = ground_->top(x - origin_.x(), y - origin_.y());
     return found ? std::optional(found->z + origin_.z()) : std::nullopt;
   }
   if (!(x >= profile_->x_min() && x <= profile_->x_max())) return std::nullopt;
@@ -29,7 +28,7 @@ std::optional<double> TerrainView::height(double x, double y) const {
 
 std::optional<Vec3> TerrainView::normal(double x, double y) const {
   if (!profile_) {
-    const auto found = top(x, y);
+    const auto found = ground_->top(x - origin_.x(), y - origin_.y());
     return found ? std::optional(ground_->facet(found->facet).normal) : std::nullopt;
   }
   if (!(x >= profile_->x_min() && x <= profile_->x_max())) return std::nullopt;

@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "geometry/ground.h"
-#include "geometry/profile.h"
+#include "geometry/mesh.h"
 
 namespace flyrock {
+
+class Ground3;
+struct Profile;
 
 /// The ground of a trial in 2D or 3D, in the coordinates of the scenario [m]. It refers to the ground, which
 /// must outlive it. In 2D the y of a place in plan does not count.
@@ -40,8 +42,6 @@ class TerrainView {
   const Profile* profile() const { return profile_; }
 
  private:
-  std::optional<Ground3::Crossing> top(double x, double y) const;
-
   const Profile* profile_ = nullptr;
   const Ground3* ground_ = nullptr;
   const std::vector<Mesh::Face>* faces_ = nullptr;

@@ -1,6 +1,7 @@
 #include "report/comparison_data.h"
 
 #include "report/json_object.h"
+#include "scenario/plan.h"
 
 namespace flyrock {
 

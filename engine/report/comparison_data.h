@@ -7,6 +7,8 @@
 
 namespace flyrock {
 
+struct Plan;
+
 /// [{ point, against: 0, reason, groups: [{ group, unpaired, numbers: { runout: { unit, mean, interval,
 /// design_effect, trials_needed, pairs, censored, differing_trials } } }] }]
 nlohmann::ordered_json differences_data(const Plan& plan, const Results& results);

@@ -15,6 +15,8 @@
 
 namespace flyrock {
 
+struct Plan;
+
 class ResultDatabase {
  public:
   /// Opens the file under a temporary name. This and all other functions throw FileError.

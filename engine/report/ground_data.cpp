@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "geometry/ground.h"
 #include "report/json_object.h"
 #include "report/rounded.h"
 #include "report/tracks.h"

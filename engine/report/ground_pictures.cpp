@@ -2,6 +2,8 @@
 
 #include <map>
 
+#include "geometry/ground.h"
+
 namespace flyrock {
 
 namespace {

@@ -9,6 +9,7 @@
 
 #include "report/scenario_text.h"
 #include "scenario/schema.h"
+#include "units/units.h"
 
 namespace flyrock {
 

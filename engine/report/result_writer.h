@@ -12,6 +12,8 @@
 
 namespace flyrock {
 
+struct Plan;
+
 /// Takes the chunks in a first pass, which may take place during the run, so that little work remains after
 /// the last trial. Files have temporary names until finish() has written all their contents; without finish()
 /// they are removed.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "document/value.h"
 #include "report/rock_view.h"
 #include "report/stored_paths.h"
 

@@ -16,6 +16,7 @@
 #include "results/fault_line.h"
 #include "results/lost.h"
 #include "results/weights.h"
+#include "scenario/plan.h"
 
 namespace flyrock {
 

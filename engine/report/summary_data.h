@@ -7,6 +7,8 @@
 
 namespace flyrock {
 
+struct Plan;
+
 /// Keys in the order of docs/results.md. Numbers that do not exist are null.
 nlohmann::ordered_json summary_data(const Plan& plan, const Results& results);
 

@@ -10,6 +10,8 @@
 
 namespace flyrock {
 
+struct Plan;
+
 /// The version of the layout of a result folder and its database. It is raised if an older flyrock would
 /// misread a new folder, or this flyrock an older folder.
 inline constexpr int result_format = 15;

@@ -13,6 +13,7 @@
 #include "results/outer.h"
 #include "results/weights.h"
 #include "results/wording.h"
+#include "scenario/plan.h"
 
 namespace flyrock {
 

@@ -8,6 +8,8 @@
 
 namespace flyrock {
 
+struct Plan;
+
 /// The run in a few sentences: what barriers, gates and trees do, how far rocks went, the clearances and
 /// areas of the scenario, and which share of the rocks is censored. In a sweep, the least and the greatest
 /// number with their points.

@@ -8,6 +8,7 @@
 
 #include "results/weights.h"
 #include "results/wording.h"
+#include "scenario/plan.h"
 
 namespace flyrock {
 

@@ -8,6 +8,8 @@
 
 namespace flyrock {
 
+struct Plan;
+
 /// Where censored rocks were, as the end of a sentence: "on haul_floor (part floor), x from 120 to 180 m".
 std::string place_text(const Scenario& scenario, const PointResult& point, const CensoredPlace& place);
 /// The material of a part of the terrain; empty if it has none (method ballistic).

@@ -10,6 +10,7 @@
 #include "results/results.h"
 #include "results/wording.h"
 #include "scenario/measure.h"
+#include "scenario/plan.h"
 #include "units/units.h"
 
 namespace flyrock {

@@ -8,6 +8,8 @@
 
 namespace flyrock {
 
+struct Plan;
+
 /// A measure at a point, with its interval.
 struct AskedNumber {
   Measured measured;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "geometry/ground.h"
+
 namespace flyrock {
 
 namespace {

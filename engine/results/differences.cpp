@@ -8,6 +8,7 @@
 
 #include "results/lost.h"
 #include "results/rows_of_rock.h"
+#include "scenario/plan.h"
 
 namespace flyrock {
 

@@ -15,6 +15,8 @@
 
 namespace flyrock {
 
+struct Plan;
+
 /// The mean difference of one number.
 struct Difference {
   std::uint64_t pairs = 0;      ///< in the mean

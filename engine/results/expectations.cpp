@@ -7,6 +7,7 @@
 
 #include "results/lost.h"
 #include "results/unknown.h"
+#include "scenario/plan.h"
 
 namespace flyrock {
 

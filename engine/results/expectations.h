@@ -8,6 +8,8 @@
 
 namespace flyrock {
 
+struct Plan;
+
 enum class Judgement { passed, failed, not_judged };
 
 /// One expectation at one point.

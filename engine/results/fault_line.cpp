@@ -5,6 +5,8 @@
 
 #include <set>
 
+#include "scenario/plan.h"
+
 namespace flyrock {
 
 namespace {

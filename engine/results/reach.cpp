@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "batch/greatest_throw.h"
+#include "geometry/ground.h"
 #include "trial/build_trial.h"
 
 namespace flyrock {

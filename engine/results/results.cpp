@@ -11,6 +11,7 @@
 #include "results/measure_tally.h"
 #include "results/outer.h"
 #include "scenario/normalise.h"
+#include "scenario/plan.h"
 
 namespace flyrock {
 

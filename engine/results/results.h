@@ -13,6 +13,8 @@
 
 namespace flyrock {
 
+struct Plan;
+
 /// A rock that failed, with its reason.
 struct Fault {
   int point = 0;

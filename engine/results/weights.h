@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "results/results.h"
+#include "scenario/plan.h"
 
 namespace flyrock {
 

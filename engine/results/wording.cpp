@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "scenario/plan.h"
 #include "units/units.h"
 
 namespace flyrock {

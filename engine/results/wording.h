@@ -7,6 +7,7 @@
 
 #include "results/lost.h"
 #include "results/results.h"
+#include "scenario/plan.h"
 
 namespace flyrock {
 

@@ -10,6 +10,8 @@
 
 namespace flyrock {
 
+struct Value;
+
 /// The elements of `branches` of a document; none if they are not a list of maps.
 std::vector<Node> branches_of(const Value& root);
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "document/diagnostics.h"
-#include "scenario/scenario.h"
+#include "scenario/plan.h"
 
 namespace flyrock {
 

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "blast/blast.h"
 #include "document/node.h"
 #include "plugin/registry.h"
 #include "scenario/ground_store.h"

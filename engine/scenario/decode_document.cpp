@@ -7,6 +7,7 @@
 #include "scenario/decode_sections.h"
 #include "scenario/measure.h"
 #include "scenario/normalise.h"
+#include "scenario/plan.h"
 
 namespace flyrock {
 

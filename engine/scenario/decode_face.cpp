@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "document/table.h"
+#include "geometry/terrain_shape.h"
+#include "plugin/models.h"
 
 namespace flyrock {
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "plugin/contact_law.h"
 #include "plugin/surveyed_terrain.h"
 #include "scenario/decode_shapes.h"
 #include "scenario/normalise_params.h"

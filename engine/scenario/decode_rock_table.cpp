@@ -6,6 +6,7 @@
 #include <map>
 
 #include "document/table.h"
+#include "document/value.h"
 #include "scenario/decode_sections.h"
 #include "scenario/table_cells.h"
 

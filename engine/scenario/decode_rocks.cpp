@@ -1,5 +1,6 @@
 // Groups of rocks and bodies.
 
+#include "document/value.h"
 #include "scenario/decode_sections.h"
 #include "scenario/decode_shapes.h"
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/profile.h"
 #include "scenario/decode_params.h"
 #include "scenario/measure.h"
 #include "scenario/scenario.h"

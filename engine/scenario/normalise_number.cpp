@@ -6,6 +6,7 @@
 
 #include "plugin/gain.h"
 #include "scenario/sweep.h"
+#include "units/units.h"
 
 namespace flyrock {
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "document/value.h"
 #include "scenario/decode_context.h"
 
 namespace flyrock {

@@ -1,6 +1,7 @@
 #pragma once
 // Normalises the value of one parameter.
 
+#include "document/value.h"
 #include "scenario/normalise_number.h"
 
 namespace flyrock {

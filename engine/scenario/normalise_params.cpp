@@ -6,6 +6,7 @@
 
 #include "plugin/gain.h"
 #include "scenario/normalise_param.h"
+#include "units/units.h"
 
 namespace flyrock {
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "document/value.h"
 #include "scenario/normalise_number.h"
 #include "scenario/schema.h"
 

@@ -1,6 +1,7 @@
 #pragma once
 // Normalises the parts of a parameter of type shapes, and turns in 3D.
 
+#include "document/value.h"
 #include "scenario/normalise_number.h"
 
 namespace flyrock {

@@ -5,6 +5,7 @@
 #include "blast/blast.h"
 #include "document/wording.h"
 #include "scenario/scenario.h"
+#include "units/units.h"
 
 namespace flyrock {
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "document/diagnostics.h"
+#include "document/value.h"
 
 namespace flyrock {
 

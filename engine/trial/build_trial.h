@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "plugin/models.h"
 #include "trial/instances.h"
 #include "trial/outcomes.h"
 #include "trial/place_rock.h"
@@ -14,6 +15,8 @@
 #include "world/world.h"
 
 namespace flyrock {
+
+class TerrainView;
 
 /// The stop reason of the rocks of a trial that ends with an error.
 StopReason reason_of(const TrialError& error);

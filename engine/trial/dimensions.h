@@ -8,6 +8,8 @@
 
 #include "flight/ground.h"
 #include "geometry/terrain_place.h"
+#include "plugin/models.h"
+#include "plugin/terrain_view.h"
 #include "scenario/ground_store.h"
 #include "trial/instances.h"
 #include "trial/make_ground.h"

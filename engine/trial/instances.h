@@ -4,6 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "plugin/contact_law.h"
+#include "plugin/models.h"
 #include "scenario/scenario.h"
 
 namespace flyrock {

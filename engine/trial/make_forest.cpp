@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "geometry/ground.h"
 #include "geometry/place_text.h"
 #include "trial/scenario_error.h"
 

@@ -4,10 +4,11 @@
 #include <memory>
 
 #include "geometry/forest.h"
-#include "geometry/ground.h"
 #include "scenario/scenario.h"
 
 namespace flyrock {
+
+class Ground3;
 
 /// The forest of a scenario in 3D, counted from its origin [m]; nullptr if it has none. Drawn once a run: all
 /// trials, points with the same terrain and forest, and threads share it.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/ground.h"
 #include "geometry/place_text.h"
 #include "geometry/plan_zone.h"
 #include "trial/blast_at.h"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "plugin/params.h"
+#include "scenario/plan.h"
 
 namespace flyrock {
 

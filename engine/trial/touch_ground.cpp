@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "collision/pairs.h"
+#include "geometry/ground.h"
 
 namespace flyrock {
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "document/value.h"
 #include "host/locate.h"
 #include "host/lua_call.h"
 #include "host/table_reader.h"

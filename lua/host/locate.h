@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "document/value.h"
+#include "document/location.h"
 #include "document/wording.h"
 
 namespace flyrock {

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "blast/blast.h"
+#include "document/value.h"
 #include "host/param_reader.h"
 #include "host/table_reader.h"
 #include "plugin/contact_law.h"

@@ -10,6 +10,8 @@
 
 namespace flyrock {
 
+struct Value;
+
 /// The name of the function that a pure Lua plugin of a kind defines: "impact", "build", ...
 std::string_view entry_point(PluginKind kind);
 

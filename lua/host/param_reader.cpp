@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "document/value.h"
 #include "host/table_reader.h"
+#include "units/units.h"
 
 namespace flyrock {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "document/diagnostics.h"
+#include "document/value.h"
 #include "plugin/spec.h"
 
 namespace flyrock {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "document/diagnostics.h"
+#include "document/value.h"
 #include "host/locate.h"
 
 struct lua_State;

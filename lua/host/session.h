@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "document/diagnostics.h"
+#include "document/value.h"
 #include "host/locate.h"
 #include "host/lua_arguments.h"
 #include "host/source_files.h"
-#include "plugin/module.h"
+#include "plugin/registry.h"
 #include "sandbox/print_log.h"
 
 namespace flyrock {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "document/value.h"
+#include "document/location.h"
 
 namespace flyrock {
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "document/value.h"
 #include "host/locate.h"
 #include "units/units.h"
 

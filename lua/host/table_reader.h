@@ -11,6 +11,8 @@
 
 namespace flyrock {
 
+struct Value;
+
 class TableReader {
  public:
   /// `table` must be a map, or an empty list, which counts as an empty map.

@@ -6,7 +6,10 @@
 #include <variant>
 
 #include "geometry/cone.h"
+#include "geometry/contactor.h"
+#include "plugin/models.h"
 #include "plugins/factories.h"
+#include "random/stream.h"
 
 namespace flyrock::plugins {
 

@@ -4,6 +4,7 @@
 
 #include "analytic/lab_ground.h"
 #include "geometry/cone.h"
+#include "geometry/ground.h"
 #include "samples.h"
 
 using namespace flyrock;

@@ -4,6 +4,7 @@
 
 #include "analytic/lab_ground.h"
 #include "collision/pairs.h"
+#include "geometry/ground.h"
 #include "scratch.h"
 
 using namespace flyrock;

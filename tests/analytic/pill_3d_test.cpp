@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "analytic/lab_ground.h"
+#include "geometry/ground.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "analytic/lab_3d.h"
+#include "geometry/ground.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;

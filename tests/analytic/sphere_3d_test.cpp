@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "analytic/lab_3d.h"
+#include "geometry/ground.h"
 
 using namespace flyrock;
 using namespace flyrock::lab;

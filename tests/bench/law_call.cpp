@@ -8,6 +8,7 @@
 
 #include "host/session.h"
 #include "host/share.h"
+#include "plugin/contact_law.h"
 
 using namespace flyrock;
 

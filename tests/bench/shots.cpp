@@ -7,6 +7,7 @@
 #include <ctime>
 
 #include "flight/ballistic.h"
+#include "geometry/profile.h"
 #include "random/stream.h"
 
 using namespace flyrock;

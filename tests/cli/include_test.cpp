@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <regex>
 
+#include "blast/blast.h"
 #include "cli/program.h"
 
 namespace flyrock::include_test {

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "conformance/plugin_use.h"
+#include "geometry/profile.h"
 #include "geometry/terrain_fault.h"
+#include "plugin/models.h"
 
 using namespace flyrock;
 

@@ -7,6 +7,7 @@
 #include "collision/outline/outline.h"
 #include "collision/pairs.h"
 #include "collision/smooth/gjk.h"
+#include "geometry/ground.h"
 #include "indexed.h"
 #include "nearest_contact.h"
 #include "placed_shapes.h"

@@ -7,7 +7,9 @@
 #include <set>
 
 #include "conformance/plugin_use.h"
+#include "geometry/contactor.h"
 #include "geometry/volume_properties.h"
+#include "plugin/models.h"
 
 using namespace flyrock;
 

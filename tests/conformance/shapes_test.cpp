@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "conformance/plugin_use.h"
+#include "geometry/contactor.h"
+#include "plugin/models.h"
 
 using namespace flyrock;
 

@@ -7,6 +7,8 @@
 #include <fstream>
 
 #include "conformance/plugin_use.h"
+#include "geometry/terrain_shape.h"
+#include "plugin/models.h"
 #include "temporary_file.h"
 
 using namespace flyrock;

@@ -8,6 +8,8 @@
 #include <random>
 
 #include "conformance/plugin_use.h"
+#include "geometry/profile.h"
+#include "plugin/models.h"
 #include "temporary_file.h"
 
 using namespace flyrock;

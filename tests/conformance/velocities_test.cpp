@@ -5,7 +5,9 @@
 #include <array>
 #include <catch2/catch.hpp>
 
+#include "blast/blast.h"
 #include "conformance/plugin_use.h"
+#include "plugin/models.h"
 
 using namespace flyrock;
 

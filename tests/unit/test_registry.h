@@ -1,7 +1,14 @@
 #pragma once
 // A few hand-made plugins, so that decoding can be tested without the Lua host.
 
+#include "blast/blast.h"
+#include "geometry/contactor.h"
+#include "geometry/profile.h"
+#include "plugin/contact_law.h"
+#include "plugin/models.h"
 #include "plugin/registry.h"
+#include "plugin/terrain_view.h"
+#include "units/units.h"
 
 namespace flyrock::test {
 

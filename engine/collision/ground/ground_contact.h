@@ -8,6 +8,7 @@
 
 #include "collision/ground/facet_region.h"
 #include "collision/rules.h"
+#include "geometry/ground.h"
 
 namespace flyrock {
 

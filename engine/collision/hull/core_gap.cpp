@@ -1,6 +1,7 @@
 // Gaps of known features of balls, pills and polyhedra in 3D.
 #include "collision/pill/closest.h"
 #include "collision/rules.h"
+#include "geometry/ground.h"
 
 namespace flyrock {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "collision/rules.h"
+#include "geometry/ground.h"
 
 namespace flyrock {
 

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "plugin/contact_law.h"
 #include "plugins/factories.h"
 
 namespace flyrock::plugins {

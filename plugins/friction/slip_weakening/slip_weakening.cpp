@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "plugin/contact_law.h"
 #include "plugins/factories.h"
 
 namespace flyrock::plugins {

@@ -2,7 +2,11 @@
 
 #include <cmath>
 
+#include "blast/blast.h"
+#include "plugin/models.h"
+#include "plugin/terrain_view.h"
 #include "plugins/factories.h"
+#include "random/stream.h"
 
 namespace flyrock::plugins {
 

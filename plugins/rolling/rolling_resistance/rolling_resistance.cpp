@@ -1,3 +1,4 @@
+#include "plugin/contact_law.h"
 #include "plugin/pivoting.h"
 #include "plugins/factories.h"
 

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
 #include "geometry/bound.h"
+#include "geometry/contactor.h"
+#include "geometry/contactor3.h"
+#include "plugin/models.h"
 #include "plugin/registry.h"
 #include "plugin/turn.h"
 #include "plugins/factories.h"

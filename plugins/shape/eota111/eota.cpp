@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include "geometry/hull.h"
+#include "plugin/models.h"
 #include "plugins/factories.h"
+#include "random/stream.h"
 
 namespace flyrock::plugins {
 

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include "geometry/contactor.h"
+#include "plugin/models.h"
 #include "plugins/factories.h"
+#include "random/stream.h"
 
 namespace flyrock::plugins {
 

@@ -3,10 +3,13 @@
 #include <algorithm>
 
 #include "geometry/box.h"
+#include "geometry/contactor3.h"
 #include "geometry/mesh_edges.h"
 #include "geometry/mesh_fault.h"
+#include "plugin/models.h"
 #include "plugins/factories.h"
 #include "plugins/terrain/mesh/mesh_file.h"
+#include "random/stream.h"
 
 namespace flyrock::plugins {
 

@@ -2,10 +2,13 @@
 
 #include <stdexcept>
 
+#include "geometry/contactor3.h"
 #include "geometry/mesh_edges.h"
 #include "geometry/mesh_fault.h"
+#include "plugin/models.h"
 #include "plugins/factories.h"
 #include "plugins/terrain/mesh/mesh_file.h"
+#include "random/stream.h"
 
 namespace flyrock::plugins {
 

@@ -1,6 +1,10 @@
 #include <fmt/format.h>
 
+#include "geometry/contactor.h"
+#include "geometry/pneumatic.h"
+#include "plugin/models.h"
 #include "plugins/factories.h"
+#include "random/stream.h"
 
 namespace flyrock::plugins {
 

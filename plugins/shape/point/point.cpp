@@ -1,4 +1,8 @@
+#include "geometry/contactor.h"
+#include "geometry/contactor3.h"
+#include "plugin/models.h"
 #include "plugins/factories.h"
+#include "random/stream.h"
 
 namespace flyrock::plugins {
 

@@ -2,8 +2,11 @@
 
 #include <cmath>
 
+#include "geometry/contactor.h"
 #include "geometry/inset.h"
+#include "plugin/models.h"
 #include "plugins/factories.h"
+#include "random/stream.h"
 
 namespace flyrock::plugins {
 

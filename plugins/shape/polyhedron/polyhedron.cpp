@@ -5,9 +5,11 @@
 
 #include "geometry/convex_fault.h"
 #include "geometry/hull.h"
+#include "plugin/models.h"
 #include "plugins/factories.h"
 #include "plugins/read_points.h"
 #include "plugins/terrain/mesh/mesh_file.h"
+#include "random/stream.h"
 #include "units/units.h"
 
 namespace flyrock::plugins {

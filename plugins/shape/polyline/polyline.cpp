@@ -3,8 +3,11 @@
 #include <algorithm>
 
 #include "geometry/box.h"
+#include "geometry/contactor.h"
 #include "geometry/plan_line.h"
+#include "plugin/models.h"
 #include "plugins/factories.h"
+#include "random/stream.h"
 
 namespace flyrock::plugins {
 

@@ -4,7 +4,9 @@
 
 #include "geometry/hull.h"
 #include "geometry/volume_properties.h"
+#include "plugin/models.h"
 #include "plugins/factories.h"
+#include "random/stream.h"
 
 namespace flyrock::plugins {
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "geometry/terrain_shape.h"
+#include "plugin/models.h"
 #include "plugins/factories.h"
 #include "plugins/terrain/benches/sweep.h"
 

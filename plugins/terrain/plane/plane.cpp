@@ -2,7 +2,11 @@
 
 #include <cmath>
 
+#include "geometry/profile.h"
+#include "geometry/terrain_shape.h"
+#include "plugin/models.h"
 #include "plugins/factories.h"
+#include "random/stream.h"
 
 namespace flyrock::plugins {
 

@@ -8,6 +8,7 @@
 #include "blast/gurney.h"
 #include "blast/mckenzie.h"
 #include "math/space.h"
+#include "units/units.h"
 
 using namespace flyrock;
 

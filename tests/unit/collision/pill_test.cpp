@@ -4,6 +4,7 @@
 
 #include "collision/ground/terrain_3d.h"
 #include "collision/pairs.h"
+#include "geometry/ground.h"
 #include "geometry/hull.h"
 #include "indexed.h"
 #include "nearest_contact.h"

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "../../temporary_file.h"
+#include "document/value.h"
 
 using namespace flyrock;
 

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "flight/shroud.h"
+#include "geometry/profile.h"
 #include "random/stream.h"
 #include "unit/flight/vacuum_range.h"
 

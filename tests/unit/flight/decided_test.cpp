@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "../../dice.h"
+#include "geometry/ground.h"
 #include "world/places.h"
 
 using namespace flyrock;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <set>
 
+#include "geometry/ground.h"
+
 using namespace flyrock;
 
 namespace {

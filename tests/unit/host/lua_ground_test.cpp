@@ -2,8 +2,13 @@
 
 #include <catch2/catch.hpp>
 
+#include "blast/blast.h"
 #include "conformance/plugin_use.h"
+#include "geometry/ground.h"
+#include "geometry/profile.h"
 #include "plugin/conformance.h"
+#include "plugin/models.h"
+#include "plugin/terrain_view.h"
 #include "unit/lua_fixture.h"
 
 using namespace flyrock;

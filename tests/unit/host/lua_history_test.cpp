@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "plugin/contact_law.h"
 #include "plugin/registry.h"
 #include "unit/lua_fixture.h"
 

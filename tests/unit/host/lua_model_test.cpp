@@ -2,7 +2,15 @@
 
 #include <catch2/catch.hpp>
 
+#include "blast/blast.h"
 #include "conformance/plugin_use.h"
+#include "geometry/contactor.h"
+#include "geometry/contactor3.h"
+#include "geometry/own_mass.h"
+#include "geometry/profile.h"
+#include "geometry/terrain_shape.h"
+#include "plugin/models.h"
+#include "plugin/terrain_view.h"
 #include "unit/lua_fixture.h"
 
 using namespace flyrock;

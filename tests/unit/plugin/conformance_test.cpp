@@ -5,7 +5,11 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "geometry/contactor.h"
+#include "geometry/terrain_shape.h"
+#include "plugin/contact_law.h"
 #include "plugin/dimension_error.h"
+#include "plugin/models.h"
 #include "plugin/sampled_params.h"
 
 using namespace flyrock;

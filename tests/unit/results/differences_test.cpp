@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "scenario/plan.h"
+
 using namespace flyrock;
 
 namespace differences_test {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "results/results.h"
+#include "scenario/plan.h"
 
 namespace flyrock::fake {
 

@@ -2,6 +2,7 @@
 
 #include "record/rows.h"
 #include "results/expectations.h"
+#include "scenario/plan.h"
 
 using namespace flyrock;
 
