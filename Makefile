@@ -1,19 +1,30 @@
 # make demo: the Ninh Dan blast and its report.   make test: the tests.   make help: the rest.
 
-# The one list of Debian packages; `deps` installs what is missing.
-PACKAGES := g++ cmake ninja-build libeigen3-dev libyaml-cpp-dev liblua5.4-dev libboost-dev \
+# The one list of Debian packages, by what needs them; `packages-NAME` installs what is missing of PACKAGES_NAME.
+PACKAGES_build := g++ cmake ninja-build libeigen3-dev libyaml-cpp-dev liblua5.4-dev libboost-dev \
   libboost-program-options-dev libboost-math-dev librandom123-dev \
   nlohmann-json3-dev libfmt-dev libsqlite3-dev zlib1g-dev libqhull-dev libnlopt-dev libhdf5-dev \
   libtinyobjloader-dev catch2 npm
+PACKAGES_deb := $(PACKAGES_build) dpkg-dev file libgdal-dev
+PACKAGES_bare := debootstrap
+PACKAGES_browser := chromium
+PACKAGES_format := clang-format
+PACKAGES_tidy := clang clang-tidy
+PACKAGES_notebooks := jupyter-nbconvert python3-ipykernel python3-pandas python3-matplotlib
+PACKAGES_site := mkdocs mkdocs-material
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 JOBS := $(shell nproc)
 PLOTLY := node_modules/plotly.js-gl3d-dist-min/plotly-gl3d.min.js
+
+# One thing at a time: what takes long uses all processors itself.
+.NOTPARALLEL:
 
 help:
 	@echo "make demo   build, run the Ninh Dan blast (1000 trials) and say where its report is"
 	@echo "make install PREFIX=/usr/local   build and install"
 	@echo "make test   build and run the tests: fast (release and sanitizers) and full"
-	@echo "make test-heavy  the tests of over a minute; the golden bytes by -O0, -O3 and with the thread sanitizer"
+	@echo "make test-heavy  the tests of over a minute; the golden bytes by -O0, -O3 and with the thread sanitizer; test-bare"
+	@echo "make test-bare  make demo and make deb in a root with nothing but Debian's base, and the packages in another"
 	@echo "make golden write tests/golden, the hashes of the results of all scenarios, anew"
 	@echo "make bench  rocks per second, the share of time by phase, the cost of each pair of shapes and of a law in Lua"
 	@echo "make fuzz SECONDS=600 SEED=1   tries mutants of every kind of input, with sanitizers; what it finds is in out/fuzz"
@@ -30,61 +41,66 @@ help:
 	@echo "make deps   install what is missing: Debian packages and Plotly"
 	@echo "make deps-browser   Chromium too, for the tests that open the report"
 
-# Installs those of the packages that are missing.
-define need
-	@missing=""; for p in $(1); do \
-	  case $$p in g++|cmake|npm) command -v $$p > /dev/null && continue;; esac; \
-	  dpkg-query -W -f '$${Status}' $$p 2> /dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
-	if [ -n "$$missing" ]; then $(SUDO) apt-get update -qq && \
-	  DEBIAN_FRONTEND=noninteractive $(SUDO) apt-get install -y -qq --no-install-recommends $$missing; fi
-endef
+packages-%:
+	@SUDO=$(SUDO) engine/packages.sh $(PACKAGES_$*)
 
-deps: $(PLOTLY)
-	$(call need,$(PACKAGES))
+# Plotly draws the plots of the report. npm alone would try for a minute to reach its registry, and say nothing.
+define fetch_plotly
+[ $(PLOTLY) -nt package-lock.json ] || { \
+  timeout 10 npm view plotly.js-gl3d-dist-min version --fetch-retries=0 --fetch-timeout=5000 > /dev/null 2>&1 && \
+  npm ci --silent && touch $(PLOTLY); } || { echo "$(no_plots)"; false; }
+endef
+no_plots := npm cannot fetch Plotly: reports have tables and no plots. Later, \`make deps\` tries again; then build again.
+
+deps: packages-build
+	@$(fetch_plotly)
+
+# flyrock is whole without plots, too.
+deps-build: packages-build
+	@$(fetch_plotly) || true
 
 # Large, and only for tests; those say SKIPPED without it.
-deps-browser: deps
-	command -v chromium > /dev/null || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends chromium; }
+deps-browser: deps packages-browser
 
 # For the test of the layout; it says SKIPPED without it.
-deps-format: deps
-	command -v clang-format > /dev/null || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends clang-format; }
+deps-format: deps-build packages-format
 
 format: deps-format
 	git ls-files '*.cpp' '*.h' | xargs clang-format -i
 
 # Of files that differ from BASE, or TIDY_ALL=1: of all. Only the commands to compile are needed, nothing is built.
 BASE := main
-tidy: deps
-	command -v clang-tidy > /dev/null || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends clang-tidy; }
+tidy: deps-build packages-tidy
 	cmake --preset edit -B build/tidy -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DCMAKE_CXX_COMPILER=clang++ > /dev/null
 	$(if $(TIDY_ALL),git ls-files,git diff --name-only --diff-filter=d $(BASE) --) 'engine/*.cpp' 'lua/*.cpp' 'plugins/*.cpp' \
 	  | xargs -r -n 4 -P $(JOBS) clang-tidy --quiet -p build/tidy
 
-$(PLOTLY): package-lock.json
-	@command -v npm > /dev/null || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends npm; }
-	npm ci --silent
-	@touch $@
-
-build-%: deps
+build-%: deps-build
 	cmake --preset $* > build-$*.log 2>&1 || { cat build-$*.log; rm -f build-$*.log; exit 1; }
 	@rm -f build-$*.log
 	cmake --build --preset $* -j $(JOBS) $(if $(TARGETS),--target $(TARGETS))
 
-demo: build-bench
+# Measured with GCC 12 on x86-64.
+BUILD_MINUTES := 13
+estimate:
+	@[ -e build/bench/bin/flyrock ] || echo "Compiling takes about $(BUILD_MINUTES) minutes of processor time:" \
+	  "$$((($(BUILD_MINUTES) + $(JOBS) - 1) / $(JOBS))) minutes with the $(JOBS) processors of this machine."
+
+demo: estimate build-bench
 	build/bench/bin/flyrock run scenarios/ninh_dan/benches_2d.yaml -o out/benches_2d --force
+	@[ -e $(PLOTLY) ] || echo "$(no_plots)"
 
 # PREFIX is where flyrock goes; DESTDIR is put before it, for packages.
 PREFIX := /usr/local
-install: build-bench
+install: estimate build-bench
 	DESTDIR=$(DESTDIR) cmake --install build/bench --prefix $(PREFIX) > /dev/null
 	@echo "flyrock is in $(DESTDIR)$(PREFIX)/bin"
 
-# Packages for this version of Debian: flyrock, and flyrock-gdal where GDAL is found.
-deb: build-bench
-	command -v dpkg-shlibdeps > /dev/null || { $(SUDO) apt-get update -qq && $(SUDO) apt-get install -y -qq --no-install-recommends dpkg-dev; }
+# Packages for this version of Debian: flyrock and flyrock-gdal.
+deb: estimate packages-deb build-bench
 	cd build/bench && cpack -B $(CURDIR)/out/deb > /dev/null
 	@ls out/deb/*.deb
+	@[ -e $(PLOTLY) ] || echo "$(no_plots)"
 
 # For systems without these packages, or older than this one (docs/installing.md).
 archive: build-bench
@@ -94,22 +110,26 @@ test: deps-format
 	tests/tiers.sh test $(JOBS)
 
 # Other optimisation, and the thread sanitizer, against the same golden bytes: only what that needs is built.
-test-heavy: golden-unoptimised golden-optimised golden-threads
+test-heavy: golden-unoptimised golden-optimised golden-threads test-bare
 	tests/tiers.sh heavy $(JOBS)
+
+# The first commands of the README where nothing is installed: in roots of their own, on the packages of Debian only.
+test-bare: packages-bare
+	git ls-files -z | tar --null -T - -c | $(SUDO) tests/bare/debian.sh build/bare
 
 SECONDS := 60
 SEED := 1
 fuzz: build-dev
 	build/dev/bin/flyrock_fuzz --seconds $(SECONDS) --seed $(SEED) $(if $(KIND),--kind $(KIND)) -o out/fuzz
 
-golden-%: deps
+golden-%: deps-build
 	cmake --preset $* > build-$*.log 2>&1 || { cat build-$*.log; rm -f build-$*.log; exit 1; }
 	@rm -f build-$*.log
 	cmake --build --preset $* -j $(JOBS) --target flyrock_golden_tests
 	FLYROCK_GOLDEN_THREADS=8 build/$*/bin/flyrock_golden_tests '~[heavy]'
 
 # Writes the golden bytes anew, which every build must give; CHANGELOG.md says why they change.
-golden: deps
+golden: deps-build
 	cmake --preset release > /dev/null
 	cmake --build --preset release -j $(JOBS) --target flyrock_golden_tests
 	FLYROCK_UPDATE_GOLDEN=1 build/release/bin/flyrock_golden_tests '~[heavy]'
@@ -138,16 +158,14 @@ course: build-bench
 	  build/bench/bin/flyrock animate out/course/$$lab $$until -o docs/course/images/$$lab.svg || exit 1; done
 
 # The labs as notebooks, executed: a notebook whose lab does not hold, or that lacks its pictures, is an error.
-notebooks: build-bench
-	$(call need,jupyter-nbconvert python3-ipykernel python3-pandas python3-matplotlib)
+notebooks: build-bench packages-notebooks
 	rm -rf out/notebooks
 	python3 docs/course/notebooks.py -o out/notebooks
 	cd out/notebooks && PYDEVD_DISABLE_FILE_VALIDATION=1 PATH="$(CURDIR)/build/bench/bin:$$PATH" jupyter-nbconvert --to notebook --execute --inplace --log-level=WARN *.ipynb
 	python3 docs/course/notebooks.py --check out/notebooks
 
 # The pages as a web site, with search; nothing in it is fetched from another server.
-site:
-	$(call need,mkdocs mkdocs-material)
+site: packages-site
 	python3 docs/site.py out/site-source
 	mkdocs build --strict --quiet
 	python3 docs/site.py --check out/site
@@ -158,4 +176,4 @@ drawings:
 clean:
 	rm -rf build out
 
-.PHONY: help install deb archive notebooks site deps deps-browser deps-format format tidy demo test test-heavy golden fuzz bench validation reference course drawings clean
+.PHONY: help estimate install deb archive notebooks site deps deps-build deps-browser deps-format format tidy demo test test-heavy test-bare golden fuzz bench validation reference course drawings clean

@@ -11,4 +11,8 @@ namespace flyrock {
 /// factories to `table`. Returns an error text that names the file, or an empty one.
 std::string load_module(const std::string& path, FactoryTable& table);
 
+/// The same for a file of unknown origin. A child process opens it first, because the loader may crash on
+/// damaged bytes. Damage to the code of a law is not seen.
+std::string load_module_guarded(const std::string& path, FactoryTable& table);
+
 }  // namespace flyrock

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "plugin/params.h"
+#include "plugin/shared_object.h"
 #include "units/units.h"
 
 namespace flyrock {
@@ -27,18 +28,16 @@ std::filesystem::path gdal_module() {
 
 RasterFile read_with_gdal(const std::string& who, const std::string& path, std::optional<double> no_data) {
   const std::filesystem::path module = gdal_module();
-  void* handle = ::dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!handle) {
-    if (!std::filesystem::exists(module))
-      throw PluginError(
-          fmt::format("{}: {}: reading this format needs GDAL, which this build does not have: "
-                      "install the Debian package "
-                      "libgdal-dev and build again, or convert the file to an ESRI ASCII grid (.asc)",
-                      who, path));
-    const char* reason = ::dlerror();
-    throw PluginError(fmt::format("{}: {}: cannot load {}: {}", who, path, module.string(),
-                                  reason ? reason : "unknown reason"));
-  }
+  if (!std::filesystem::exists(module))
+    throw PluginError(fmt::format(
+        "{}: {}: reading this format needs GDAL, which this flyrock does not have: install its package "
+        "flyrock-gdal, or libgdal-dev and build flyrock again, or convert the file to an ESRI ASCII grid "
+        "(.asc)",
+        who, path));
+  std::string fault;
+  void* handle = open_shared_object(module.string(), fault);
+  if (!handle)
+    throw PluginError(fmt::format("{}: {}: cannot load {}: {}", who, path, module.string(), fault));
   const auto read = reinterpret_cast<GdalReader>(::dlsym(handle, gdal_entry));
   RasterFile file;
   std::string wrong = fmt::format("{} has no reader", module.string());

@@ -31,6 +31,9 @@ std::string head_of(const nlohmann::ordered_json& summary) {
   return fmt::format("<p class=\"document\">{}</p>\n", text);
 }
 
+/// The bundles of Plotly.
+constexpr const char *flat_plots = "plotly-cartesian.min.js", *plots_in_3d = "plotly-gl3d.min.js";
+
 /// A library with a statement after it; empty if it is not installed.
 std::string bundle(const std::filesystem::path& file, const std::string& then) {
   if (!std::filesystem::exists(file)) return "";
@@ -68,6 +71,14 @@ std::string report_html(const nlohmann::ordered_json& data, const std::filesyste
   page += fmt::format("<h1>{}</h1>\n<p class=\"answer\">{}</p>\n<p class=\"facts\">{}</p>\n", title,
                       escaped(replace_all(replace_all(text("answer"), ">= ", "≥ "), "<= ", "≤ ")),
                       escaped(text("assumptions")));
+  const bool in_3d = data.at("summary").at("dimension") == 3;
+  if (!exists(assets / flat_plots) || (in_3d && !exists(assets / plots_in_3d)))
+    page +=
+        "<p class=\"note\">Plots are missing, because flyrock was built without Plotly: the page has its "
+        "tables, "
+        "and pictures that need no Plotly. To get the plots, run <code>make deps</code> in the sources of "
+        "flyrock where npm reaches its registry, build flyrock again, and call <code>flyrock report</code> "
+        "with the folder of this page.</p>\n";
   page +=
       "<noscript><p>Plots and tables need JavaScript; rocks.csv and summary.json hold the same "
       "numbers.</p></noscript>\n"
@@ -75,9 +86,8 @@ std::string report_html(const nlohmann::ordered_json& data, const std::filesyste
   page += replace_all(data.dump(), "<", "\\u003c");
   page += "</script>\n";
   // Each bundle calls itself Plotly: that of 3D comes first and gets another name.
-  if (data.at("summary").at("dimension") == 3)
-    page += bundle(assets / "plotly-gl3d.min.js", "window.Plotly3D = window.Plotly; delete window.Plotly;");
-  page += bundle(assets / "plotly-cartesian.min.js", "");
+  if (in_3d) page += bundle(assets / plots_in_3d, "window.Plotly3D = window.Plotly; delete window.Plotly;");
+  page += bundle(assets / flat_plots, "");
   page += "<script>\n";
   page += script(scripts(assets));
   page += "</script>\n</body>\n</html>\n";

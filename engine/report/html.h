@@ -9,8 +9,8 @@ namespace flyrock {
 
 /// The page: the answer first, then plots and tables that its scripts draw from the data in <script
 /// type="application/json">. `data` comes from ReportData. `assets` is the folder with report.css, the
-/// scripts and Plotly. Without Plotly (see `make deps`) the page shows a message in place of the plots. The
-/// same data give the same bytes. Throws FileError if report.css or a script is missing.
+/// scripts and Plotly. Without Plotly (see `make deps`) the page says that it has no plots, and how to get
+/// them. The same data give the same bytes. Throws FileError if report.css or a script is missing.
 std::string report_html(const nlohmann::ordered_json& data, const std::filesystem::path& assets);
 
 /// Escapes a text for HTML or SVG.

@@ -1,16 +1,12 @@
 #include "solver/fclib.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <Eigen/SparseCholesky>
-#include <cerrno>
-#include <csignal>
 #include <map>
 #include <stdexcept>
 
+#include "plugin/in_child.h"
 #include "solver/hdf5_file.h"
 
 namespace flyrock {
@@ -211,22 +207,13 @@ AnyProblem read_fclib(const std::string& name) {
 }
 
 AnyProblem read_fclib_guarded(const std::string& name) {
-  const pid_t child = ::fork();
-  if (child == 0) {
-    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-    for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
-    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(signal, SIG_DFL);
+  const bool succeeds = succeeds_in_child([&] {
     try {
       read_fclib(name);
     } catch (const std::exception&) {  // the parent process reports the error below
     }
-    ::_exit(0);
-  }
-  int status = 0;
-  while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (status != 0)
-    throw std::runtime_error(fmt::format("{}: is damaged: the HDF5 library fails on it", name));
+  });
+  if (!succeeds) throw std::runtime_error(fmt::format("{}: is damaged: the HDF5 library fails on it", name));
   return read_fclib(name);
 }
 

@@ -280,7 +280,7 @@ std::optional<Factory> LuaSession::native_factory(const PluginSpec& spec, const 
     const std::string path = resolved(named).string();  // loads exactly the file that was checked
     const auto bytes = read_bytes(path);
     if (!bytes) return refuse(fmt::format("no shared object `{}` beside the manifest", object));
-    if (const std::string error = load_module(path, own); !error.empty()) return refuse(error);
+    if (const std::string error = load_module_guarded(path, own); !error.empty()) return refuse(error);
     sources_.push_back({name_in_hash((fs::path(file.source->name).parent_path() / object).string()), *bytes});
   }
   const FactoryTable& table = builtin_ ? natives_ : own;

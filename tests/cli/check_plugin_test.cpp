@@ -74,4 +74,19 @@ return fr.plugin { kind = "friction", name = "y", doc = "d",
   CHECK(call(folder, "check y.lua").out == "y.lua: a sound plugin\n");
 }
 
+TEST_CASE("a native plugin whose file is cut ends flyrock with exit code 2") {
+  const Folder folder;
+  // flyrock's own law under another name, with the module that has it.
+  REQUIRE(shell(folder, "sed 's/name = \"newton\"/name = \"x\"/' " FLYROCK_SHARE_DIR
+                        "/plugins/restitution/newton/plugin.lua > x.lua && cp " FLYROCK_MODULE_DIR
+                        "/flyrock_plugins.so newton.so && '" FLYROCK_BINARY "' check x.lua")
+              .code == 0);
+  fs::resize_file(folder.path() / "newton.so", fs::file_size(folder.path() / "newton.so") / 2);
+  const Output check = call(folder, "check x.lua");
+  INFO(check.err << check.out);
+  CHECK(check.code == 2);
+  CHECK(check.err.starts_with("x.lua:"));
+  CHECK(check.err.find("error: native: cannot open the module ") != std::string::npos);
+}
+
 }  // namespace check_plugin_test

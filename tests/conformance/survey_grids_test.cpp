@@ -368,9 +368,8 @@ TEST_CASE("a GeoTIFF is read by the module of GDAL, or its error names the packa
   if (std::filesystem::exists(FLYROCK_MODULE_DIR "/flyrock_gdal.so"))
     CHECK(error.find("not recognized as a supported file format") != std::string::npos);
   else
-    CHECK(error.find(
-              " reading this format needs GDAL, which this build does not have: install the Debian package "
-              "libgdal-dev") == 0);
+    CHECK(error.find(" reading this format needs GDAL, which this flyrock does not have: install its package "
+                     "flyrock-gdal, or libgdal-dev") == 0);
 }
 
 }  // namespace survey_grids_test

@@ -164,7 +164,7 @@ const log_axis = (title, values) => {
 const movable_top = 104;
 /** A bin, a count and a share cannot be dragged to a better place: only the trajectories and the plan move and zoom. */
 function plot(node, traces, layout, movable = false) {
-  if (typeof Plotly === "undefined") return no_plot(node, "Plotly was not installed when this report was made (make deps): no picture.");
+  if (typeof Plotly === "undefined") return no_plot(node, "No plot, because flyrock was built without Plotly: the top of this page says how to get it.");
   node.classList.remove("note");
   node.classList.add("plot");
   const base = { font, paper_bgcolor: "#fff", plot_bgcolor: "#fff", margin: { l: 70, r: 24, t: movable ? movable_top : 30, b: 56 }, hoverlabel: { align: "left" }, dragmode: movable ? "pan" : false };

@@ -163,7 +163,7 @@ function space_section() {
   }
   const node = element("div", { class: "plot space", role: "application", tabindex: "0", "aria-label": "The ground, the paths and where rocks ended, in 3D. Arrow keys turn the view, plus and minus zoom, Home goes back; the plan and the long section show the same" });
   const note = paragraph("note", ""), cells = paragraph("note", ""), drawn = typeof Plotly3D !== "undefined" && has_webgl();
-  const missing = typeof Plotly3D === "undefined" ? "The 3D part of Plotly was not installed when this report was made (make deps)." : "This browser has no WebGL.";
+  const missing = typeof Plotly3D === "undefined" ? "No view in 3D, because flyrock was built without Plotly: the top of this page says how to get it." : "This browser has no WebGL.";
   const terrain = data.drawn.terrain ? ["The terrain is drawn anew in each trial. The ground shown is that of trial 0: the paths of other trials need not touch it."] : [];
   section("Trajectories", note, paragraph("note on-paper", "The view in 3D is not printed: see the plan and the long section."), node, caption("The ground where rocks were, the paths of their centres of mass coloured by mode of travel, and where they ended, all to the same scale.",
     "Drag to turn, scroll to zoom, drag with the right button to move. With the keyboard: arrows, + and -, Home. Click a name in the legend to hide it.",

@@ -1,5 +1,8 @@
+#include <stdlib.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -199,6 +202,21 @@ TEST_CASE("The same results give the same page, safe against its own data") {
   CHECK(page.find("http-equiv") == std::string::npos);
   CHECK(page.find(" src=") > page.find("id=\"data\""));  // nothing is fetched before the data
   CHECK(page.size() < 10'000'000);
+}
+
+TEST_CASE("A page without plots says so, and how to get them") {
+  const Plan plan = fake::plan(1);
+  std::string name = (std::filesystem::temp_directory_path() / "flyrock-assets-XXXXXX").string();
+  const std::filesystem::path folder = mkdtemp(name.data());
+  std::filesystem::copy(assets, folder);
+  const std::string note = "<p class=\"note\">Plots are missing, because flyrock was built without Plotly";
+  std::filesystem::remove(folder / "plotly-cartesian.min.js");
+  const std::string page = report_html(data_of(plan, 1), folder);
+  CHECK(page.find(note) < page.find("<div id=\"report\">"));
+  CHECK(page.find("<code>make deps</code>") != std::string::npos);
+  std::ofstream(folder / "plotly-cartesian.min.js") << "window.Plotly = {};";
+  CHECK(report_html(data_of(plan, 1), folder).find(note) == std::string::npos);
+  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("The first line of a page with rocks that diverged says so, above everything") {
