@@ -104,6 +104,32 @@ bool HeldPoints::holds_on(const Features& of, int point) const {
   return has(a_.id(FeatureKind::vertex, point), *of.of_b) || over(*of.of_b, point);
 }
 
+bool HeldPoints::holds_beyond(const Features& of, int point, const MovingState& sa,
+                              const MovingState& sb) const {
+  const bool is_face_of_a = of.of_a.has_value();
+  const FeatureId feature = is_face_of_a ? *of.of_a : *of.of_b;
+  if (b_.facet || kind_of(feature) != FeatureKind::face) return false;
+  const Moving3 &reference = is_face_of_a ? a_ : b_, &other = is_face_of_a ? b_ : a_;
+  const MovingState &of_reference = is_face_of_a ? sa : sb, &of_other = is_face_of_a ? sb : sa;
+  const Contactor3& shape = reference.shape;
+  const int face = index_of(feature);
+  return std::any_of(search_.held.list.begin(), search_.held.list.end(), [&](const HeldContact& h) {
+    const FeatureId side = is_face_of_a ? h.feature : h.against,
+                    crossing = is_face_of_a ? h.against : h.feature;
+    if (!is_of_pair(h, a_, b_) || kind_of(side) != FeatureKind::edge ||
+        kind_of(crossing) != FeatureKind::edge || !contains(other, crossing, point))
+      return false;
+    const Contactor3::Edge& edge = shape.edges[index_of(side)];
+    if (edge.left != face && edge.right != face) return false;
+    const Vec3& start = shape.points[edge.start];
+    const Vec3 along =
+        edge.left == face ? Vec3(shape.points[edge.end] - start) : Vec3(start - shape.points[edge.end]);
+    const Vec3 place = of_reference.turn.rotation.inverse(
+        of_other.x + of_other.arm(other.shape.points[point]) - of_reference.x);
+    return along.cross(shape.faces[face].normal).dot(place - start) >= 0;
+  });
+}
+
 bool HeldPoints::holds_edges(const Features& of, int i, int j) const {
   const auto on_edge_of_b = [&] {
     if (!b_.facet) return contains(b_, *of.of_b, j);
@@ -120,6 +146,8 @@ Hold HeldPoints::hold(const Vec3& direction, const Features& of, int i, int j, c
   const bool exactly = of_edges ? holds_edges(of, i, j) : holds_on(of, of.of_a ? j : i);
   if (by_ == CoreSearch::pill) return exactly ? Hold::exactly : drifts_from(direction, i, j, sa, sb);
   if (of_edges && b_.facet && !along_rim(direction, i, j, sa)) return Hold::no;
+  if (by_ == CoreSearch::hull && !of_edges && !exactly && holds_beyond(of, of.of_a ? j : i, sa, sb))
+    return Hold::for_now;
   return exactly ? Hold::exactly : of_edges && b_.facet ? Hold::for_now : Hold::no;
 }
 

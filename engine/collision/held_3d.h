@@ -73,6 +73,9 @@ class HeldPoints {
   bool has(FeatureId feature, FeatureId against) const;
   /// Whether one holds the points exactly along a direction of one of the two; `point`: of the other.
   bool holds_on(const Features& of, int point) const;
+  /// Whether a point of the other contactor lies beyond a side of a face of one of the two, and has an edge
+  /// that crosses this side in a contact: the contact carries what the face cannot reach.
+  bool holds_beyond(const Features& of, int point, const MovingState& sa, const MovingState& sb) const;
   /// Whether two edges have a contact, and have these points.
   bool holds_edges(const Features& of, int i, int j) const;
   /// Whether a's point i has a contact in the plane of b, the facet of this face.

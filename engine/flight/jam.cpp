@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "world/driven.h"
+
 namespace flyrock {
 
 /// The work of a world since it was last looked at.
@@ -67,13 +69,16 @@ void JamWatch<D>::find_reached() {
   reached_.assign(bodies.size(), false);
   fastest_ = work_ = work_in_all_ = 0;
   for (const auto& contact : world_.contacts()) {
-    double approach = 0;
+    double approach = 0, speed = 0;
     const auto add = [&](int i, double side) {
-      if (i >= 0 && bodies[i].kind == BodyKind::driven)
-        approach -= side * contact.at.normal.dot(bodies[i].velocity_at(contact.at.point));
+      if (i < 0 || bodies[i].kind != BodyKind::driven) return;
+      const Vec<D> velocity = bodies[i].velocity_at(contact.at.point);
+      approach -= side * contact.at.normal.dot(velocity);
+      speed = std::max(speed, velocity.norm());
     };
     add(contact.candidate, 1);
     add(contact.antagonist, -1);
+    approach = driven_approach_beyond_rounding(approach, speed);
     work_ += contact.impulse[0] * approach;
     work_in_all_ += std::abs(contact.impulse[0] * approach);
     if (approach <= 0) continue;

@@ -4,15 +4,16 @@
 #include <cmath>
 
 #include "solver/nonnegative.h"
+#include "world/driven.h"
 #include "world/world.h"
 
 namespace flyrock {
 
 namespace {
 
-/// Of solves with more contacts than `easy_contacts`, each 32nd is looked at; of those with more than
-/// `most_contacts`, where the search would take seconds, none.
-constexpr std::size_t easy_contacts = 64, look_every = 32, most_contacts = 200;
+/// A failed solve of more contacts than `easy_contacts` is searched only if its answer is far from the driven
+/// approach or throws a body; one of more than `most_contacts`, where the search would take seconds, never.
+constexpr std::size_t easy_contacts = 64, most_contacts = 200;
 /// Times the driven one: a motion of the free bodies that has to be faster than this is no way out.
 constexpr double most_speed_ratio = 1e4;
 /// The same for chosen steps, times the tolerance. Over a long phase, the places of both bodies of a contact
@@ -70,6 +71,7 @@ Vec<D> World<D>::driven_approach(std::size_t a) const {
     if (bodies[i].kind == BodyKind::driven)
       approach -= columns.template leftCols<D>().transpose() * bodies[i].velocity();
   });
+  approach[0] = driven_approach_beyond_rounding(approach[0], approach.norm());
   return approach;
 }
 
@@ -105,10 +107,12 @@ bool World<D>::throws() {
 template <int D>
 void World<D>::find_pressed() {
   const std::size_t count = contacts_.size();
-  if (count > most_contacts || (count > easy_contacts && quality_.problems % look_every != 0)) return;
+  if (count > most_contacts) return;
   double fastest = 0;
   for (std::size_t a = 0; a < count; ++a) fastest = std::max(fastest, driven_approach(a)[0]);
   if (!(fastest > 0)) return;
+  const bool is_missed = missed_last_solve() && last_solve_.residual > missed_share * fastest;
+  if (count > easy_contacts && !is_missed && !throws()) return;
 
   constexpr int dof = Space<D>::dof;
   std::vector<int> first(bodies.size(), -1);  // row of each free body
@@ -150,7 +154,6 @@ void World<D>::find_pressed() {
         if (r[column] > least && i >= 0 && first[i] >= 0) pressed_.push_back(i);
   };
   search({Vec<D - 1>::Zero()}, false);
-  const bool is_missed = missed_last_solve() && last_solve_.residual > missed_share * fastest;
   if (pressed_.empty() && is_missed) search(slip_directions<D>(), true);
   if (pressed_.empty() && is_missed) {  // impulses that grow without bound, until rounding ends them
     double mass = 0, greatest = 0, work = 0, work_in_all = 0;

@@ -218,4 +218,24 @@ TEST_CASE("a body that can leave a driven one is not taken for pressed") {
   }
 }
 
+TEST_CASE("a drum that turns presses nothing, also where solves fail") {
+  Material material(0, 0.5);
+  WorldSettings settings;
+  settings.tolerance = 1e-13;  // which two iterations do not reach
+  settings.max_iterations = 2;
+  Bench bench(ground(50), material, settings);
+  Body<2> drum = make_body({Contactor2::hollow_disk(1, 1.05)}, 1000, 0, 1);
+  drum.move_to({0, 1.5}, 0);
+  drum.w = 0.5;
+  bench.add(driven(std::move(drum), {0, 0}));
+  for (int i = 0; i < 20; ++i)
+    bench.add(box(0.15, 0.15, 60, {-0.4 + 0.2 * (i % 5), 0.9 + 0.2 * (i / 5)}, 0.1 * i));
+  bench.run(0.3);
+  CHECK(bench.world.quality().not_converged > 100);
+  for (const BodyHistory& history : bench.histories) {
+    INFO(history.fault);
+    CHECK(history.reason != StopReason::diverged);
+  }
+}
+
 }  // namespace pressed_test

@@ -143,9 +143,9 @@ class PairSearch {
   double margin() const { return search_.slack - 1e-9 * search_.size; }
 
   /// How far the points of the reference reach along a direction, apart for those whose pairs with the point
-  /// j of the other contactor are held.
+  /// j of the other contactor are held, or may sink.
   struct Supports {
-    double free = -forever, held = -forever;
+    double free = -forever, held = -forever, sinks = -forever;
     bool drifts = false;  ///< the normals of held contacts drift from the direction
   };
   Supports supports_of(const Direction& d, const Vec3& normal, const Moving3& reference,
@@ -156,7 +156,8 @@ class PairSearch {
     };
     Supports supports;
     if (!by_pairs_) {  // a contact with a feature holds all of its points
-      (hold_of(0) == Hold::no ? supports.free : supports.held) = d.support;
+      const Hold hold = hold_of(0);
+      (hold == Hold::no ? supports.free : hold == Hold::exactly ? supports.held : supports.sinks) = d.support;
       return supports;
     }
     for (int i = 0; i < static_cast<int>(reference.shape.points.size()); ++i) {
@@ -199,7 +200,9 @@ class PairSearch {
       const double gap = heights.of(p) - offset, slope = heights.rate(p), time = std::min(least, left);
       if (time <= of_all.horizon && stays_open(gap + margin(), slope, bend, time)) continue;
       const Supports supports = supports_of(d, normal, reference, sr, so, j);
-      if (supports.free == -forever && of_held == Counts::never && !supports.drifts) continue;
+      if (supports.held > -forever && of_held == Counts::never && supports.free == -forever &&
+          !supports.drifts)
+        continue;
       const Vec3 arm = so.arm(p);
       const double lever = (so.x + arm - sr.x).norm();
       const Bounds bounds = bounds_of(arm.norm(), lever);
@@ -209,6 +212,8 @@ class PairSearch {
       };
       if (supports.free > -forever) see(supports.free, Counts::fully);
       if (supports.held > -forever && of_held != Counts::never) see(supports.held, of_held);
+      if (supports.sinks > -forever)
+        see(supports.sinks - most_sinking * search_.size, t == 0 ? Counts::from_zero : Counts::fully);
       if (supports.drifts && of_held == Counts::never)
         least = std::min(least, within(drift_time(sr, so, bounds.speed), left, forever));
     }

@@ -63,8 +63,8 @@ Polygon clipped_face(const Placed3& reference, int face_index, const Placed3& in
       const bool from_inside = d <= slack, to_inside = e <= slack;
       if (from_inside) kept.push_back(from);
       if (from_inside == to_inside) continue;
-      Corner corner = cut(from, from.point + d / (d - e) * (to.point - from.point), reference.shape, face, k,
-                          incident_face);
+      Corner corner = cut(from, from.point + (d - slack) / (d - e) * (to.point - from.point), reference.shape,
+                          face, k, incident_face);
       corner.line = from_inside ? -1 - k : from.line;
       kept.push_back(corner);
     }
@@ -93,13 +93,35 @@ int incident_face_of(const Placed3& incident, const Vec3& normal) {
   return best;
 }
 
+/// Whether the common normal of an edge of the reference and an edge of the incident shape is far from the
+/// normal of the reference face: the two pass each other along the side of the face, and where they cross
+/// says little about where the bodies meet.
+bool pass_along(const Placed3& reference, int edge, const Placed3& incident, int incident_edge,
+                const Vec3& normal) {
+  constexpr double cos_15_degrees = 0.9659258262890683;
+  const auto along = [](const Placed3& shape, int e) {
+    return Vec3(shape.point(shape.shape.edges[e].end) - shape.point(shape.shape.edges[e].start));
+  };
+  const Vec3 across = along(reference, edge).cross(along(incident, incident_edge));
+  return std::abs(across.dot(normal)) < cos_15_degrees * across.norm();
+}
+
 void face_face(const Placed3& reference, int face, const Placed3& incident, bool reference_is_candidate,
                double reach, Contacts<3>& out) {
   const Vec3 normal = reference.normal(face), start = reference.corner(face, 0);
+  const Polygon corners = clipped_face(reference, face, incident, incident_face_of(incident, normal));
+  const auto gap_of = [&](const Corner& corner) { return normal.dot(corner.point - start); };
+  const auto passes = [&](const Corner& corner) {
+    return corner.of_reference == FeatureKind::edge &&
+           pass_along(reference, corner.reference, incident, corner.incident, normal);
+  };
+  double deepest = reach;
+  for (const Corner& corner : corners)
+    if (const double gap = gap_of(corner); gap < deepest && !passes(corner)) deepest = gap;
   const std::size_t begin = out.size();
-  for (const Corner& corner : clipped_face(reference, face, incident, incident_face_of(incident, normal))) {
-    const double gap = normal.dot(corner.point - start);
-    if (gap > reach) continue;
+  for (const Corner& corner : corners) {
+    const double gap = gap_of(corner);
+    if (gap > reach || (gap >= deepest && passes(corner))) continue;
     const FeatureKind of_incident = corner.of_reference == FeatureKind::face   ? FeatureKind::vertex
                                     : corner.of_reference == FeatureKind::edge ? FeatureKind::edge
                                                                                : FeatureKind::face;

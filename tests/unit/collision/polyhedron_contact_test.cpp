@@ -156,6 +156,32 @@ TEST_CASE("a box on a box: four contacts that keep their ids while it slides and
   }
 }
 
+TEST_CASE(
+    "boxes with flush sides that lean on each other are as deep as their separation, and nowhere deeper") {
+  const Contactor3 slab = Contactor3::box({0.1, 0.5, 1});
+  std::mt19937 generator(1);
+  const auto uniform = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(generator);
+  };
+  const auto tiny = [&] { return (uniform(0, 1) < 0.5 ? -1 : 1) * std::pow(10, uniform(-13, -6)); };
+  for (int k = 0; k < samples(2000); ++k) {
+    const double lean = uniform(0.01, 1.5);
+    const Rotation3 turn = Rotation3::from_vector({tiny(), 0, tiny()}) * Rotation3::from_vector({0, lean, 0});
+    // The upper front edge of the one that leans touches the other's face x = -0.05.
+    const Vec3 edge = turn * Vec3(0.05, 0, 0.5);
+    const Placed3 leans{slab, {Vec3(-0.05, tiny(), uniform(-0.4, 0.4)) - edge, turn}}, stands{slab, {}};
+    Contacts<3> contacts;
+    body_contacts(scratch(), indexed(leans, 1), indexed(stands, 2), 5e-7, contacts);
+    double deepest = 1;
+    for (const auto& c : contacts) deepest = std::min(deepest, c.gap);
+    double highest = 1;  // of the vertices of the edge over the face
+    for (const double side : {-0.25, 0.25})
+      highest = std::min(highest, -0.05 - (leans.pose * Vec3(0.05, side, 0.5)).x());
+    CHECK(contacts.size() <= 4);
+    CHECK(deepest == Approx(highest).margin(1e-8));
+  }
+}
+
 TEST_CASE("two edges meet in one contact, a vertex and a face in one") {
   const Placed3 roof{cube, {Vec3::Zero(), Rotation3::from_vector({pi / 4, 0, 0})}};  // an edge along x on top
   const double top = std::sqrt(0.5);
