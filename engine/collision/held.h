@@ -13,7 +13,8 @@
 //   with circles                            HeldPair::hold         (2), (3)         (2)
 //   hollow, half space in 3D                HeldPair::counts       -                passed over, (4)
 //
-//   (1) a pill: passed over, and (3); an edge on an edge of the ground: may sink by 5e-5 of the size
+//   (1) a pill: passed over, and (3); an edge on an edge of the ground, and a vertex beyond a side of a face,
+//       whose edge crosses this side in a contact: may sink by 5e-5 of the size
 //   (2) may sink by 1e-5 of the size deeper than when the search first met it; springs as they like
 //   (3) looked at again before the normal drifts by 1e-3 rad
 //   (4) a rim that is held at one place is searched 60 degrees away from it
