@@ -15,7 +15,7 @@ namespace flyrock {
 namespace {
 
 constexpr std::string_view magic = "flyrchnk";
-constexpr std::uint64_t format = 16;
+constexpr std::uint64_t format = 17;
 
 std::uint64_t crc(std::string_view bytes) {
   return ::crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
@@ -56,7 +56,7 @@ template <class Io, class Quality>
 void walk_quality(Io& io, Quality& q) {
   for (const auto count : SolverQuality::counts) io.value(q.*count);
   for (const auto value : SolverQuality::greatest) io.value(q.*value);
-  io.value(q.energy_gained);
+  io.value(q.energy_gained), io.value(q.gained_by_slip);
   io.value(q.least_step), io.value(q.greatest_step), io.value(q.step_time);
   io.value(q.energy_relative_change);
 }

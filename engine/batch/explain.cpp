@@ -1,8 +1,6 @@
 #include "batch/explain.h"
 
-#include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <functional>
+#include <Eigen/SVD>
 #include <memory>
 #include <utility>
 
@@ -32,7 +30,7 @@ Eigen::MatrixXd full_matrix(const ContactProblem<D>& problem) {
   for (int a = 0; a < problem.size(); ++a) {
     w.block(a * width, a * width, width, width) = problem.contacts[a].w.topLeftCorner(width, width);
     for (int k = problem.first[a]; k < problem.first[a + 1]; ++k)
-      w.block(a * width, problem.other(k) * width, width, width) =
+      w.block(a * width, problem.other(k) * width, width, width) +=  // one block for each body they share
           problem.full_block(k).topLeftCorner(width, width);
   }
   return w;
@@ -112,10 +110,8 @@ Explanation explain(const World<D>& world, const SolveTrace<D>& trace, const Wor
   const double tolerance = world.settings().tolerance;
   all.phases.push_back(phase_of(trace.common, trace.restitution ? "compression" : "", tolerance));
   if (trace.restitution) all.phases.push_back(phase_of(*trace.restitution, "restitution", tolerance));
-  // W is symmetric: its singular values are the sizes of its eigenvalues.
   all.singular_values =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(all.w, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs();
-  std::sort(all.singular_values.begin(), all.singular_values.end(), std::greater());
+      Eigen::BDCSVD<Eigen::MatrixXd>(all.w).singularValues();  // a damper makes W unsymmetric
   all.rank =
       static_cast<int>((all.singular_values.array() > rank_tolerance * all.singular_values[0]).count());
   all.problem = StoredProblem<D>{problem, trace.common.start};

@@ -481,7 +481,7 @@ void TrialRunner::Trials<D>::record_inputs(std::uint64_t trial, int index, const
 }
 
 /// Records what was drawn for each impact: the draws of the material between the two, and of roughness the
-/// tilt that was used. Draws of a pair of bodies belong to the first of them.
+/// tilt that was used. Draws of a pair of bodies belong to its rock (World::rock_of).
 template <int D>
 void TrialRunner::Trials<D>::record_impact_draws(std::uint64_t trial, int index, const TrialRock& rock,
                                                  const World<D>& world, const WorldLaws& laws,

@@ -138,10 +138,10 @@ void put_phase(const Explanation& all, const ExplainedPhase& phase, Out out) {
   put_sweeps(all, phase, out);
   fmt::format_to(out, "the run{} found, with residual {:.3g} m/s:\n",
                  phase.warm ? ", which began with the impulses of the step before," : "", phase.residual);
-  fmt::format_to(out, "{:>8}{:>14}{:>14}{:>14}\n", "", "r", "u = q + W r", "u r");
+  fmt::format_to(out, "{:>8}{:>14}{:>14}{:>14}{:>14}\n", "", "q", "r", "u = q + W r", "u r");
   for (Eigen::Index i = 0; i < phase.r.size(); ++i)
-    fmt::format_to(out, "{:>8}{:>14.6g}{:>14.6g}{:>14.3g}\n", column_name(all, i), phase.r[i] + 0.0,
-                   phase.u[i] + 0.0, phase.u[i] * phase.r[i] + 0.0);
+    fmt::format_to(out, "{:>8}{:>14.6g}{:>14.6g}{:>14.6g}{:>14.3g}\n", column_name(all, i), phase.q[i] + 0.0,
+                   phase.r[i] + 0.0, phase.u[i] + 0.0, phase.u[i] * phase.r[i] + 0.0);
 }
 
 /// "slips; ", if one problem was solved: an impulse on the cone of friction slips, one inside of it sticks.

@@ -12,6 +12,12 @@ std::string energy_from_nowhere_text(double excess) {
   return fmt::format("it has {:.3g} J more than gravity, air and impacts gave it", excess);
 }
 
+std::string energy_of_impact_text(double share) {
+  return fmt::format(
+      "an impact gave it and the bodies that it touched {:.2g} % of their kinetic energy from nowhere",
+      100 * share);
+}
+
 template <int D>
 Faults<D>::Faults(const World<D>& world, bool exact_flight) : world_(world), exact_flight_(exact_flight) {
   for (const Body<D>& body : world.bodies) starts_.push_back(body.x);

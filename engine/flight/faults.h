@@ -16,6 +16,8 @@ inline constexpr int most_idle = 10'000;
 
 /// The text of a fault: more energy [J] than a body may have.
 std::string energy_from_nowhere_text(double excess);
+/// The text of a fault: an impact that gained this share of the kinetic energy.
+std::string energy_of_impact_text(double share);
 
 /// Checks a world while it runs. A fault is an error of the program or of a law, never a result. Instantiated
 /// for D = 2, 3.

@@ -170,8 +170,9 @@ class Runner {
       diverge(std::to_string(World<D>::most_hits) +
               " impacts one by one at one instant do not end: their losses do not "
               "stop these contacts");
-    if (outcome.new_touch) hit();
     arrived();
+    for (const auto& [body, share] : world_.gained())
+      if (running_[body]) take_out(body, energy_of_impact_text(share));
     for (const auto& contact : world_.contacts()) land(contact);
     return outcome.in_contact;
   }
@@ -184,7 +185,7 @@ class Runner {
     for (BodyLog<D>& log : logs_) log.arrived();
   }
 
-  /// Keeps the impact that was solved now.
+  /// Keeps the impact that was solved now; several may be at one instant.
   void hit() {
     if (series_) series_->after_impact();
     if (settings_.advanced) settings_.advanced(0);

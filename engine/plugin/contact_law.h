@@ -75,33 +75,33 @@ struct ContactLaw : Restitution, Friction, Rolling {
 };
 
 /// The data of a contact that a law may read. SI units. Velocities are relative velocities at the contact
-/// point. The order is that of `contact_fields()`.
+/// point, `the rock` is that of World::rock_of. The order is that of `contact_fields()`.
 struct ContactState {
   double approach_speed = 0;  ///< m/s, -v_n if the bodies approach, otherwise 0
   double slip_speed = 0;      ///< m/s, |v_t|
   double impact_angle = 0;    ///< rad from the surface: pi/2 is a normal impact
   double gap = 0;             ///< m
   double effective_mass = 0;  ///< kg, 1/W_nn
-  double mass = 0;            ///< kg, of the candidate body
-  double radius = 0;  ///< m, of the candidate: of the disk of its area, in 3D of the sphere of its volume
-  double spin = 0;    ///< rad/s, of the candidate
-  double kinetic_energy = 0;  ///< J, of the candidate
+  double mass = 0;            ///< kg, of the rock
+  double radius = 0;          ///< m, of the disk of its area, in 3D of the sphere of its volume
+  double spin = 0;            ///< rad/s, of the rock
+  double kinetic_energy = 0;  ///< J, of the rock
   double length = 0;          ///< m, tributary length of this point in 2D; 0 for a single point and in 3D
-  double area = 0;            ///< m2, tributary area; in 2D the length times the thickness of the candidate
+  double area = 0;            ///< m2, tributary area; in 2D the length times the thickness of the rock
   double age = 0;             ///< s since the contact closed
   double pair_age =
       0;  ///< s since the pair has been in contact without interruption: the greatest age of its contacts
   double was_sticking = 0;      ///< 1 if the contact stuck in the last step, otherwise 0
-  double impact_number = 0;     ///< impacts of the candidate so far, this one included; from 1
+  double impact_number = 0;     ///< impacts of the rock so far, this one included; from 1
   double time = 0;              ///< s
   double step = 0;              ///< s, length of the current step; 0 for an impact
   int dimension = 2;            ///< of the vectors; z is 0 in 2D
-  Vec3 normal = Vec3::UnitY();  ///< unit, towards the candidate
+  Vec3 normal = Vec3::UnitY();  ///< unit, towards the rock
   Vec3 place = Vec3::Zero();    ///< m, the contact point in the coordinates of the scenario
-  Vec3 slip = Vec3::Zero();     ///< m/s, v_t: the tangential velocity of the candidate
-  std::string_view group_a;     ///< candidate: name of its group or body
-  std::string_view group_b;   ///< antagonist: name of its group or body, or terrain.<part>; terrain where the
-                              ///< part has no name
+  Vec3 slip = Vec3::Zero();     ///< m/s, v_t: the tangential velocity of the rock
+  std::string_view group_a;     ///< the rock: name of its group or body
+  std::string_view group_b;   ///< the other body: name of its group or body, or terrain.<part>; terrain where
+                              ///< the part has no name
   std::string_view material;  ///< name of the material of the contact
   /// The law's memory, in the order of its manifest. It is zero when its pair or contact is created, and kept
   /// between calls. A law may write it. If the engine repeats a step, it restores the memory from the start

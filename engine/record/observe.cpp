@@ -66,6 +66,7 @@ void SolverQuality::add(const SolverQuality& other) {
   greatest_step = std::max(greatest_step, other.greatest_step);
   least_step = std::min(least_step, other.least_step);
   energy_gained += other.energy_gained;
+  gained_by_slip += other.gained_by_slip;
   if (std::abs(other.energy_relative_change) > std::abs(energy_relative_change))
     energy_relative_change = other.energy_relative_change;
 }

@@ -163,7 +163,12 @@ struct SolverQuality {
   double max_spring_angle = 0;
   std::uint64_t energy_gains = 0;  ///< impacts and steps whose contacts gain energy, dT > 0 beyond rounding
   double energy_gained = 0;        ///< J
-  std::uint64_t shocks = 0;        ///< velocity jumps in a step in which no contact approaches (Painleve)
+  /// Impacts of form `newton` that gain energy because slip stops or reverses; not among energy_gains
+  std::uint64_t gains_by_slip = 0;
+  double gained_by_slip = 0;  ///< J
+  /// Instants whose impacts did not end by themselves (World::most_together)
+  std::uint64_t endless_impacts = 0;
+  std::uint64_t shocks = 0;           ///< velocity jumps in a step in which no contact approaches (Painleve)
   double energy_relative_change = 0;  ///< (total energy at the end - total energy at the start) / |scale|
 
   /// The counts, and of what the greatest counts, as chunk files have them one after the other.
@@ -171,7 +176,8 @@ struct SolverQuality {
       &SolverQuality::steps,        &SolverQuality::cut_steps,       &SolverQuality::refused_steps,
       &SolverQuality::flights,      &SolverQuality::impact_problems, &SolverQuality::problems,
       &SolverQuality::iterations,   &SolverQuality::toc_iterations,  &SolverQuality::not_converged,
-      &SolverQuality::energy_gains, &SolverQuality::shocks};
+      &SolverQuality::energy_gains, &SolverQuality::gains_by_slip,   &SolverQuality::endless_impacts,
+      &SolverQuality::shocks};
   static constexpr double SolverQuality::*greatest[] = {
       &SolverQuality::not_converged_residual, &SolverQuality::max_residual, &SolverQuality::max_penetration,
       &SolverQuality::max_spring_angle};

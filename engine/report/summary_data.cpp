@@ -383,6 +383,9 @@ Json quality_data(const SolverQuality& q) {
           {"max_spring_angle", number(q.max_spring_angle)},
           {"energy_gains", q.energy_gains},
           {"energy_gained", number(q.energy_gained)},
+          {"gains_by_slip", q.gains_by_slip},
+          {"gained_by_slip", number(q.gained_by_slip)},
+          {"endless_impacts", q.endless_impacts},
           {"shocks", q.shocks},
           {"energy_relative_change", number(q.energy_relative_change)}};
 }

@@ -26,9 +26,9 @@ constexpr std::array<std::string_view, 4> gate_fields = {"passed", "mean_energy"
 constexpr std::array<std::string_view, 3> tree_fields = {"hit", "stopped", "hits"};
 constexpr std::array<std::string_view, 4> clearance_fields = {"distance", "lower", "upper", "with_factor"};
 constexpr std::array<std::string_view, 3> exposure_fields = {"per_blast", "per_year", "hits_per_m2"};
-constexpr std::array<std::string_view, 6> solver_fields = {"max_residual",    "not_converged",
-                                                           "max_penetration", "energy_gains",
-                                                           "iterations",      "max_iterations_of_a_step"};
+constexpr std::array<std::string_view, 7> solver_fields = {
+    "max_residual",  "not_converged", "max_penetration",         "energy_gains",
+    "gains_by_slip", "iterations",    "max_iterations_of_a_step"};
 constexpr std::array<std::string_view, 11> impact_fields = {
     "time", "x", "y", "z", "vn_before", "vn_after", "vt_before", "vt_after", "pn", "pt", "energy_change"};
 constexpr std::array<std::string_view, 13> state_fields = {
@@ -198,6 +198,7 @@ Measured Measure::solver_value(const PointResult& result, const std::string& fie
                                                            static_cast<double>(q.not_converged),
                                                            q.max_penetration,
                                                            static_cast<double>(q.energy_gains),
+                                                           static_cast<double>(q.gains_by_slip),
                                                            static_cast<double>(q.iterations),
                                                            static_cast<double>(most)};
   return {values[index_of(field, solver_fields)], false, {}};

@@ -149,6 +149,17 @@ std::vector<std::string> solver_warnings(const Plan& plan, const std::vector<Poi
     warnings.push_back(fmt::format("solver: {} impact{} or step{} gained energy, {:.3g} J together",
                                    quality.energy_gains, quality.energy_gains == 1 ? "" : "s",
                                    quality.energy_gains == 1 ? "" : "s", quality.energy_gained));
+  if (quality.gains_by_slip > 0)
+    warnings.push_back(
+        fmt::format("solver: {} impact{} gained energy because slip stopped or reversed, {:.3g} J together: "
+                    "a property of the "
+                    "form `newton` with friction; `poisson`, `energy` and `newton_mean` do not gain",
+                    quality.gains_by_slip, quality.gains_by_slip == 1 ? "" : "s", quality.gained_by_slip));
+  if (quality.endless_impacts > 0)
+    warnings.push_back(fmt::format(
+        "solver: {} instant{} had more than 1,000 impacts; after them the bodies that touched there "
+        "had no restitution (e = 0)",
+        quality.endless_impacts, quality.endless_impacts == 1 ? "" : "s"));
   if (quality.shocks > 0)
     warnings.push_back(
         fmt::format("solver: {} shock{} without collision: a sliding contact jammed and its velocity jumped "

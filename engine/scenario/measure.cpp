@@ -58,9 +58,10 @@ const Table impact_quantities{{"time", dimension::time},
 const Table impact_quantities_3d = with(impact_quantities, {"z", dimension::length});
 const Table apex_quantities{{"time", dimension::time}, {"height", dimension::length}};
 const Table solver_quantities{
-    {"max_residual", dimension::speed},     {"not_converged", dimension::none},
-    {"max_penetration", dimension::length}, {"energy_gains", dimension::none},
-    {"iterations", dimension::none},        {"max_iterations_of_a_step", dimension::none}};
+    {"max_residual", dimension::speed},           {"not_converged", dimension::none},
+    {"max_penetration", dimension::length},       {"energy_gains", dimension::none},
+    {"gains_by_slip", dimension::none},           {"iterations", dimension::none},
+    {"max_iterations_of_a_step", dimension::none}};
 constexpr Dimension force{1, 1, -2, 0};
 const Table contact_quantities{{"gap", dimension::length},
                                {"un", dimension::speed},

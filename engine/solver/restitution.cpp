@@ -134,11 +134,10 @@ SolveResult ImpactSolver<D>::solve(Problem& problem, const std::vector<Rebound<D
       factor_[a] = rebound.e_n;
       phases = true;
     } else if (rebound.form == RestitutionForm::newton) {
-      contact.q[0] +=
-          rebound.e_n * (rebound.as_lmgc90 ? rebound.before[0] : std::min(0.0, rebound.before[0]));
+      contact.q[0] += rebound.e_n * rebound.shift();
       contact.q.template segment<D - 1>(1) += rebound.e_t * rebound.before.template segment<D - 1>(1);
     } else if (rebound.form == RestitutionForm::newton_mean) {
-      contact.q[0] += rebound.e_n * std::min(0.0, rebound.before[0]);
+      contact.q[0] += rebound.e_n * rebound.shift();
       contact.q.template tail<Problem::rows - 1>() += rebound.before.template tail<Problem::rows - 1>();
     }
   }

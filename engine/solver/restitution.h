@@ -1,6 +1,7 @@
 #pragma once
 // The impact problem: contacts with restitution, alone or several at once.
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -11,12 +12,15 @@
 namespace flyrock {
 
 /// How one contact of an impact rebounds. A contact that closes too slowly to rebound, or that rests, keeps
-/// the defaults. With `as_lmgc90`, a contact that separates before the impact must also satisfy
-/// v_n^+ >= -e_n v_n^-.
+/// the defaults. With `as_lmgc90`, a contact that separates before the impact has v_n^+ >= -e_n v_n^- in
+/// place of v_n^+ >= 0.
 template <int D>
 struct Rebound : Restitution {
   double given = 0;  ///< N s, prescribed part of the normal impulse; negative: a pull that the contact bears
   typename ContactProblem<D>::Row before = ContactProblem<D>::Row::Zero();  ///< its velocity v^-
+
+  /// v_n^* of the forms `newton` and `newton_mean` [m/s].
+  double shift() const { return as_lmgc90 ? before[0] : std::min(0.0, before[0]); }
 };
 
 /// A friction problem with its start and its answer.

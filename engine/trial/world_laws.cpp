@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace flyrock {
 
 namespace {
@@ -36,7 +38,7 @@ PairLaws* WorldLaws::make(int material, const DrawKey& key) {
   material_.push_back(material);
   laws.material = plan.name;
   laws.seed = scenario_.seed;
-  laws.key = key;
+  laws.key = laws.key_of_second = key;
   bind(laws.restitution, of_material.restitution, plan.restitution, scenario_, key);
   bind(laws.friction, of_material.friction, plan.friction, scenario_, key);
   bind(laws.rolling, of_material.rolling, plan.rolling, scenario_, key);
@@ -108,8 +110,11 @@ void WorldLaws::connect(World<D>& world) {
       if (world.bodies[i].moves() || world.bodies[j].moves())
         material_between(partner, partners_[j]);  // throws if there is none
   }
-  world.laws_between = [this](int a, int b) {
-    return make(material_between(partners_[a], partners_[b]), partners_[a].key);
+  world.laws_between = [this](int rock, int other) {
+    PairLaws* laws = make(material_between(partners_[rock], partners_[other]), partners_[rock].key);
+    laws->key = partners_[std::min(rock, other)].key;
+    laws->key_of_second = partners_[std::max(rock, other)].key;
+    return laws;
   };
 }
 

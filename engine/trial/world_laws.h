@@ -20,9 +20,9 @@ struct Partner {
 
 /// One PairLaws for each body and part of the terrain, and one for each pair of bodies. Each has its own
 /// draws and its own memory; only the laws themselves are shared. That of a pair of bodies is made when they
-/// first come near each other, because few pairs of many rocks ever meet. Draws of a pair belong to the body
-/// with the lower index. A WorldLaws object must not move, because the world points into it. The scenario and
-/// the instances must outlive it.
+/// first come near each other, because few pairs of many rocks ever meet. Draws of a pair belong to its rock
+/// (World::rock_of), then or at the impact. A WorldLaws object must not move, because the world points into
+/// it. The scenario and the instances must outlive it.
 class WorldLaws {
  public:
   /// `partners`: one for each body of the world, in the same order.

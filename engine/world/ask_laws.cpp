@@ -46,8 +46,30 @@ void choose_struck(std::vector<WorldContact<D>>& contacts, const std::vector<Bod
 }  // namespace
 
 template <int D>
+int World<D>::rock_of(int first, int second) const {
+  constexpr double rounding = 1e-9;  // the order of the bodies changes the last digits of an energy
+  if (second < 0) return first;
+  const Body<D>&a = bodies[first], &b = bodies[second];
+  const double energy_a = a.kinetic_energy(), energy_b = b.kinetic_energy();
+  bool is_second = false;
+  if (a.moves() != b.moves())
+    is_second = b.moves();
+  else if (a.mass != b.mass)
+    is_second = b.mass < a.mass;
+  else if (a.radius != b.radius)
+    is_second = b.radius < a.radius;
+  else if (std::abs(energy_a - energy_b) > rounding * std::max(energy_a, energy_b))
+    is_second = energy_b < energy_a;
+  else
+    is_second = b.group < a.group;
+  return is_second ? second : first;
+}
+
+template <int D>
 ContactState World<D>::state_of(const Contact& contact, double h) {
-  const Body<D>& body = bodies[contact.candidate];
+  const int rock = contact.manifold >= 0 ? contact.rock : rock_of(contact.candidate, contact.antagonist);
+  const Body<D>& body = bodies[rock];
+  const double side = rock == contact.candidate ? 1 : -1;  // normal and velocities are those of the candidate
   ContactState state;
   state.approach_speed = contact.approach();
   state.slip_speed = tangential(contact.before).norm();
@@ -88,13 +110,13 @@ ContactState World<D>::state_of(const Contact& contact, double h) {
   state.step = h;
   state.dimension = D;
   state.normal = Vec3::Zero();
-  state.normal.template head<D>() = contact.at.normal;
+  state.normal.template head<D>() = side * contact.at.normal;
   state.place.template head<D>() = contact.at.point + origin;
   state.slip.template head<D>() =
-      contact_frame(contact.at.normal).template rightCols<D - 1>() * tangential(contact.before);
+      side * contact_frame(contact.at.normal).template rightCols<D - 1>() * tangential(contact.before);
   state.group_a = body.group;
   if (contact.antagonist >= 0)
-    state.group_b = bodies[contact.antagonist].group;
+    state.group_b = bodies[contact.other_than(rock)].group;
   else
     state.group_b = terrain_->names()[part_of(*terrain_, contact.at.against)];
   state.material = contact.laws->material;
@@ -116,13 +138,21 @@ void World<D>::begin_manifolds() {
       const Contact& other = contacts_[k];
       if (other.manifold >= 0 && other.candidate == contact.candidate &&
           other.antagonist == contact.antagonist && same_direction<D>(other.at.normal, contact.at.normal))
-        contact.manifold = other.manifold, contact.impact_number = other.impact_number;
+        contact.manifold = other.manifold, contact.rock = other.rock,
+        contact.impact_number = other.impact_number;
     }
     if (contact.manifold >= 0) continue;
     contact.manifold = manifolds++;
-    contact.impact_number = ++bodies[contact.candidate].impacts;
-    if (contact.antagonist >= 0) ++bodies[contact.antagonist].impacts;
+    count_impact(contact);
   }
+}
+
+template <int D>
+void World<D>::count_impact(Contact& contact) {
+  for (const int i : {contact.candidate, contact.antagonist})
+    if (i >= 0) ++bodies[i].impacts;
+  contact.rock = rock_of(contact.candidate, contact.antagonist);
+  contact.impact_number = bodies[contact.rock].impacts;
 }
 
 template <int D>
@@ -134,7 +164,7 @@ void World<D>::ask_law(Contact& contact, double h) {
   }
   ++laws->use.contacts;
   const bool impact = contact.manifold >= 0;
-  if (impact) laws->begin_impact(contact.impact_number);
+  if (impact) laws->begin_impact(contact.impact_number, contact.rock == contact.antagonist);
   if (const ContactLaw* known = impact ? nullptr : laws->known()) {
     contact.law = *known;
     return;
@@ -157,7 +187,9 @@ void World<D>::ask_laws(double h) {
 
 #define FLYROCK_INSTANTIATE(D)                                      \
   template ContactState World<D>::state_of(const Contact&, double); \
+  template int World<D>::rock_of(int, int) const;                   \
   template void World<D>::begin_manifolds();                        \
+  template void World<D>::count_impact(Contact&);                   \
   template void World<D>::ask_law(Contact&, double);                \
   template void World<D>::ask_laws(double);
 FLYROCK_INSTANTIATE(2);

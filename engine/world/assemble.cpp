@@ -266,7 +266,7 @@ void World<D>::scale_by_island(double h) {
     speed = std::max(speed, contacts_[a].approach());
   }
   for (std::size_t a = 0; a < contacts_.size(); ++a)
-    problem_.contacts[a].speed_scale = island_speed_[islands_.of(a)];
+    contacts_[a].speed_scale = problem_.contacts[a].speed_scale = island_speed_[islands_.of(a)];
 }
 
 #define FLYROCK_INSTANTIATE(D)                                              \

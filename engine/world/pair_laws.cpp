@@ -55,11 +55,12 @@ void PairLaws::begin_instant() {
   remember(restitution), remember(friction), remember(rolling), remember(unilateral);
 }
 
-void PairLaws::begin_impact(std::uint64_t impact_number) {
-  key.impact = impact_number;
+void PairLaws::begin_impact(std::uint64_t impact_number, bool of_second) {
+  DrawKey& drawn = of_second ? key_of_second : key;
+  drawn.impact = impact_number;
   if (!traits().draws_at_impact) return;
   if (traits().step_draws_at_impact) known_.reset();
-  const auto draw_again = [this](auto& bound) { draw(bound.per_impact, bound.values, seed, key); };
+  const auto draw_again = [&](auto& bound) { draw(bound.per_impact, bound.values, seed, drawn); };
   draw_again(restitution), draw_again(friction), draw_again(rolling), draw_again(unilateral);
 }
 

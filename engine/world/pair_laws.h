@@ -61,7 +61,8 @@ class PairLaws {
   BoundLaw<UnilateralLaw, Unilateral> unilateral;
   Roughness roughness;
   std::uint64_t seed = 1;
-  DrawKey key;  ///< trial and rock, for draws per impact
+  DrawKey key;  ///< trial and rock, for draws per impact; of two bodies of the one with the lower index
+  DrawKey key_of_second;  ///< the same of the other one
   MaterialUse use;
 
   /// Becomes the laws of another pair of the same kind, as if it had been made for it: draws the
@@ -72,8 +73,8 @@ class PairLaws {
   /// one in the order of contacts wins.
   void begin_instant();
   /// Draws the per-impact parameters, before the laws of a contact of the impact are called. All contacts of
-  /// one impact get the same values.
-  void begin_impact(std::uint64_t impact_number);
+  /// one impact get the same values: those of the first or of the second body.
+  void begin_impact(std::uint64_t impact_number, bool of_second = false);
   /// The law of a contact in this state. The restitution law is called only for an `impact`. `history` is the
   /// memory of this contact.
   ContactLaw ask(ContactState& state, bool impact, ContactHistory& history);

@@ -1,4 +1,4 @@
-// Solves the friction problem with restitution, applies the solution, and records impacts and energy.
+// Solves the friction problem with restitution, applies the solution, and records impacts.
 
 #include <algorithm>
 
@@ -132,14 +132,13 @@ void World<D>::find_shocks(double h) {
   }
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     Contact& contact = contacts_[a];
-    const Body<D>& body = bodies[contact.candidate];
+    const Body<D>& body = bodies[rock_of(contact.candidate, contact.antagonist)];
     if (island_collides_[islands_.of(a)] || contact.law.condition == NormalCondition::penalty) continue;
     const double forces = (g_ + body.push.norm()) * h;
     if ((after_[a] - contact.before).template head<D>().norm() <= settings_.rest_speed + usual * forces)
       continue;
     contact.manifold = manifolds++;
-    contact.impact_number = ++bodies[contact.candidate].impacts;
-    if (contact.antagonist >= 0) ++bodies[contact.antagonist].impacts;
+    count_impact(contact);
     ++quality_.shocks;
   }
 }
@@ -161,8 +160,8 @@ void World<D>::record_impacts() {
     Impact& impact = impacts_[index];
     ImpactSum& sum = sums_[contact.manifold];
     if (sum.weight == 0) {
-      impact.body = contact.candidate;
-      impact.other = contact.antagonist;
+      impact.body = contact.rock;
+      impact.other = contact.other_than(contact.rock);
       if (contact.antagonist < 0) impact.part = part_of(*terrain_, contact.at.against);
       impact.number = contact.impact_number;
       impact.time = time;
@@ -195,76 +194,6 @@ void World<D>::record_impacts() {
   }
 }
 
-/// The work of the driven bodies of contact a on the other bodies in a step of length h [J].
-template <int D>
-double World<D>::work_of_driven(int a, double h) const {
-  double work = 0;
-  for_bodies(a, [&](int body, const auto& columns) {
-    if (bodies[body].kind != BodyKind::driven) return;
-    typename Body<D>::Rows mean = bodies[body].velocity();
-    mean.template head<D>() -= 0.5 * h * bodies[body].push;
-    work -= contacts_[a].impulse.dot(columns.transpose() * mean);
-  });
-  return work;
-}
-
-/// Counts energy gains: the energy that the contacts of an island add in an impact or in a step of length h.
-/// It should not exceed rounding plus |r| g h / 2 for each contact, because a contact may open or reverse its
-/// slip within the step.
-template <int D>
-void World<D>::audit_energy(double h) {
-  constexpr double error_of_turning = 0.1;
-  island_gain_.assign(islands_.count(), 0.0);
-  for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
-    energy_given_ += work_of_driven(a, h);
-    energy_in_doubt_ += error_of_turning * h * contacts_[a].impulse.template head<D>().norm() *
-                        contacts_[a].turning.template head<D>().norm();
-    const Contact& contact = contacts_[a];
-    if (contact.law.condition != NormalCondition::penalty) {
-      if (h == 0) island_gain_[islands_.of(a)] += energy_of(a);
-    } else {
-      const Spring& spring = contact.law.spring;
-      const double overlap = contact.compression(contact.at.gap),
-                   speed = contact.before.template head<D>().norm();
-      const double energy = elastic_energy(spring, overlap) +
-                            0.5 * speed * speed / problem_.contacts[a].w(0, 0) +
-                            0.5 * spring.tangential_stiffness * contact.stretch.squaredNorm();
-      const double place = settings_.step_tolerance * contact_size(contact.candidate, contact.antagonist);
-      const double angle = h * spring_rate_;
-      const double force = spring.stiffness * overlap_power(spring, overlap) * overlap +
-                           spring.tangential_stiffness * contact.stretch.norm();
-      spring_energy_in_doubt_ =
-          std::max(spring_energy_in_doubt_, 0.25 * angle * angle * energy + force * place);
-    }
-  }
-  // The gas and the spring of a shape give back what they took to the same order.
-  if (const double angle = h * fastest_breath(); angle > 0) {
-    double of_shapes = 0;
-    for (const Body<D>& body : bodies)
-      if (body.breathes()) of_shapes += body.breathing.exchanged_energy(body.spin_speed());
-    spring_energy_in_doubt_ = std::max(spring_energy_in_doubt_, 0.25 * angle * angle * of_shapes);
-  }
-  if (h == 0)  // an impact may gain energy by its law
-    for (double& gain : island_gain_) {
-      energy_given_ += std::max(0.0, gain);
-      gain = 0;
-    }
-  for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
-    const Contact& contact = contacts_[a];
-    double& gain = island_gain_[islands_.of(a)];
-    // A spring only returns the energy that it stored.
-    if (contact.law.condition != NormalCondition::penalty) gain += energy_of(a);
-    gain -= contact.impulse.template head<D>().norm() *
-            (1e-12 * (contact.before.norm() + after_[a].norm()) +
-             10 * settings_.tolerance * problem_.contacts[a].speed_scale + 0.5 * g_ * h);
-  }
-  for (const double gain : island_gain_)
-    if (gain > 0) {
-      ++quality_.energy_gains;
-      quality_.energy_gained += gain;
-    }
-}
-
 /// Whether contact a counts as closed after an impact or a step of length `duration` [s]. A contact with
 /// restitution opens at any positive speed. Any other contact opens only above g h / 2. A slower contact
 /// would close again within one step, and a rocking block would never come to rest.
@@ -277,7 +206,7 @@ bool World<D>::stays_closed(int a, double duration) const {
     return speed <= 0 || contact.at.gap + contact.born + settings_.theta * duration * speed <= 0;
   if (contact.manifold >= 0 && contact.law.e_n > 0) return speed <= 0;
   const double within_tolerance =
-      10 * settings_.tolerance * problem_.contacts[a].speed_scale + 1e-14 * contact.before.norm();
+      10 * settings_.tolerance * contact.speed_scale + 1e-14 * contact.before.norm();
   return speed <= std::max(within_tolerance, 0.5 * g_ * settings_.time_step);
 }
 
@@ -303,7 +232,6 @@ Vec<D> World<D>::stretch_after(int a, double duration) const {
   template double World<D>::energy_of(int) const;          \
   template void World<D>::find_shocks(double);             \
   template void World<D>::record_impacts();                \
-  template void World<D>::audit_energy(double);            \
   template bool World<D>::stays_closed(int, double) const; \
   template Vec<D> World<D>::stretch_after(int, double) const
 FLYROCK_INSTANTIATE(2);

@@ -1,4 +1,4 @@
-// The Moreau-Jean scheme and the impact without duration.
+// The Moreau-Jean scheme.
 
 #include <algorithm>
 #include <cmath>
@@ -172,83 +172,6 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   return keep(h, new_touch);
 }
 
-template <int D>
-typename World<D>::Outcome World<D>::impact() {
-  // A cut step ends at the touch only up to second order in its length, so accept a small gap as closed.
-  constexpr double event_share = 1e-7;
-  impacts_.clear();
-  last_solve_ = {};
-  pressed_.clear();
-  forget_steps();
-  detect(0);
-  keep_closed(event_share);
-  const bool endless = settings_.one_by_one && !collide_one_by_one();
-  const bool approaching = solve_impact();
-  Outcome outcome = keep(0, false);
-  outcome.endless = endless;
-  outcome.new_touch = approaching;
-  for (Contact& c : last_) c.impulse.setZero();  // impulses of an impact are no warm start for the next step
-  return outcome;
-}
-
-/// Lets the contacts collide at once. False if none approaches, so that nothing is solved.
-template <int D>
-bool World<D>::solve_impact() {
-  measure_before(0);
-  begin_manifolds();
-  ask_laws(0);
-  assemble(0, 0);
-  const bool approaching =
-      std::any_of(contacts_.begin(), contacts_.end(), [](const Contact& c) { return c.before[0] < 0; });
-  if (approaching) {
-    solve_and_apply();
-    ++quality_.impact_problems;
-  } else {
-    for (Contact& c : contacts_) c.impulse.setZero();  // of the last step
-  }
-  measure_after(0);
-  record_impacts();
-  audit_energy(0);
-  return approaching;
-}
-
-/// Whether a contact that may collide is a spring. The law is asked only if it can be one.
-template <int D>
-bool World<D>::is_spring(Contact& contact) {
-  if (!contact.laws || !contact.laws->unilateral.law) return false;
-  contact.before = relative_velocity(contact);
-  contact.manifold = -1;
-  ask_law(contact, 0);
-  return contact.law.condition == NormalCondition::penalty;
-}
-
-/// Lets the closed contacts collide one after the other, the fastest approach first, each by its law. Springs
-/// do nothing at an instant. False if that does not end.
-template <int D>
-bool World<D>::collide_one_by_one() {
-  closed_ = contacts_;
-  springs_.assign(closed_.size(), false);
-  for (std::size_t a = 0; a < closed_.size(); ++a) springs_[a] = is_spring(closed_[a]);
-  bool ends = true;
-  for (int hits = 0;; ++hits) {
-    std::size_t next = closed_.size();
-    double fastest = settings_.rest_speed;
-    for (std::size_t a = 0; a < closed_.size(); ++a) {
-      const double approach = springs_[a] ? 0 : -relative_velocity(closed_[a])[0];
-      if (approach > fastest) fastest = approach, next = a;
-    }
-    if (next == closed_.size()) break;
-    ends = hits < most_hits;
-    if (!ends) break;
-    contacts_.assign(1, closed_[next]);
-    solve_impact();
-    closed_[next].history = contacts_[0].history;
-    if (on_hit) on_hit();
-  }
-  contacts_ = closed_;
-  return ends;
-}
-
 /// The time of the first touch of features that are not in contact, along the path of the step [s]. With
 /// `pass_held`, only touches of bodies that have no contact with each other count.
 template <int D>
@@ -329,7 +252,6 @@ bool World<D>::slips(const Contact& contact, int body) const {
   template void World<D>::restore();                                  \
   template void World<D>::forget_steps();                             \
   template World<D>::Outcome World<D>::step(double, bool, bool);      \
-  template World<D>::Outcome World<D>::impact();                      \
   template std::optional<double> World<D>::first_touch(double, bool); \
   template World<D>::Outcome World<D>::keep(double, bool);            \
   template bool World<D>::slips(const Contact&, int) const

@@ -47,7 +47,8 @@ template <int D>
 PairLaws* World<D>::pair_laws(int a, int b) {
   PairLaws*& laws = pair_laws_[a][b];
   if (!laws && laws_between) {
-    laws = laws_between(a, b);
+    const int rock = rock_of(a, b);
+    laws = rock == a ? laws_between(a, b) : laws_between(b, a);
     know(laws);
   }
   return laws;

@@ -13,6 +13,7 @@
 #include "record/observe.h"
 #include "solver/restitution.h"
 #include "world/contact_rows.h"
+#include "world/joined_bodies.h"
 #include "world/motions.h"
 #include "world/pair_laws.h"
 #include "world/phase_clock.h"
@@ -54,9 +55,13 @@ struct WorldContact {
   double age = 0;                   ///< s since the contact closed
   bool carried = false;             ///< true if the contact did not open in the last step
   bool sticking = false;
-  int manifold = -1;      ///< index of the manifold among the impacts of this step; -1: no impact
-  int impact_number = 0;  ///< impact number of the candidate, if this contact is part of an impact
+  double speed_scale = 0;  ///< m/s, as ContactProblem<D>::Contact
+  int manifold = -1;       ///< index of the manifold among the impacts of this step; -1: no impact
+  int rock = 0;            ///< whose impact it is (World::rock_of), if this contact is part of one
+  int impact_number = 0;   ///< of its rock
 
+  /// The one of the two bodies that is not `body`; -1: the terrain.
+  int other_than(int body) const { return body == candidate ? antagonist : candidate; }
   /// What a spring of `penalty` is compressed by [m], if the features of the contact have this gap.
   double compression(double gap) const { return std::max(0.0, -gap - born); }
   /// The current coefficient of friction.
@@ -84,9 +89,9 @@ class World {
   /// The laws between a body and a part of the terrain; null if the scenario names none. The caller
   /// owns them.
   void set_terrain_laws(int body, int part, PairLaws* laws);
-  /// The laws between two bodies, a < b. Called once, when the bodies first come near each other. Empty: no
-  /// laws.
-  std::function<PairLaws*(int a, int b)> laws_between;
+  /// The laws between two bodies, of which `rock` (rock_of) may have drawn their parameters. Called once,
+  /// when the bodies first come near each other. Empty: no laws.
+  std::function<PairLaws*(int rock, int other)> laws_between;
 
   double time = 0;
   std::vector<Body<D>> bodies;
@@ -141,13 +146,22 @@ class World {
   /// The length of the next step: the fixed one, or chosen by error [s].
   double step_length();
 
-  /// Solves the impact problem of all contacts that are closed now. Velocities jump; time does not advance.
-  /// With `one_by_one`, the contact that approaches fastest collides as if it were alone, then the next one,
-  /// until none is faster than rest_speed; the problem of all contacts then stops what still approaches.
+  /// Solves the impacts of the contacts that are closed now (instant.cpp). Velocities jump; time does not
+  /// advance. With `one_by_one`, the contact that approaches fastest collides as if it were alone, then the
+  /// next one, until none is faster than rest_speed; one problem of all contacts then stops what still
+  /// approaches.
   Outcome impact();
-  /// Called after each single collision of `one_by_one`, with contacts() the one that collides. May be empty.
+  /// Called after each impact of an instant, with contacts() those that bear its impulses. May be empty.
   std::function<void()> on_hit;
-  static constexpr int most_hits = 100'000;  ///< at one instant
+  static constexpr int most_hits = 100'000;    ///< at one instant, one by one
+  static constexpr int most_together = 1'000;  ///< impacts at one instant; after them the rest has e = 0
+  /// The bodies of impacts of the last instant that gained more than a thousandth of their kinetic energy
+  /// from nowhere: a fault of the program, never a result.
+  struct Gained {
+    int body = 0;
+    double share = 0;  ///< of the kinetic energy of all bodies of the impact
+  };
+  const std::vector<Gained>& gained() const { return gained_; }
 
   /// All bodies fly for dt without contacts.
   void fly(double dt);
@@ -171,6 +185,10 @@ class World {
   void measure_penetration();
   /// The pairs of bodies whose boxes overlap during the next `dt` [s] of flight; only these may meet.
   const std::vector<std::pair<int, int>>& near_pairs(double dt);
+
+  /// Whose quantities the laws of a contact read: the body that moves; of two the lighter one, then the
+  /// smaller, then the one with less kinetic energy, then by name. So it is the same for any order of bodies.
+  int rock_of(int body, int other) const;
 
   /// Whether a contact slips faster than a twentieth of the speed of one of its bodies.
   bool slips(const Contact& contact, int body) const;
@@ -244,7 +262,20 @@ class World {
   HeldContacts held_in_step(int body, int other);
   std::optional<double> first_return(double h);
 
+  // instant.cpp: the impacts of one instant
+  bool solve_impact(bool plastic = false);
+  void set_rest_at_impact(bool plastic);
+  bool collide_together();
+  void join(const std::vector<Contact>& contacts);
+  int island_of(const Contact& contact);
+  void measure_rest();
+  bool choose_bearers(bool first);
+  void take_back_bearers();
+  bool collide_one_by_one();
+  bool is_spring(Contact& contact);
+
   // ask_laws.cpp: the answers of the contact laws
+  void count_impact(Contact& contact);
   void begin_manifolds();
   ContactState state_of(const Contact& contact, double h);
   void ask_law(Contact& contact, double h);
@@ -269,7 +300,7 @@ class World {
   void scale_by_island(double h);
 
   // rebound.cpp: solves the friction problem with restitution and applies the impulses to the bodies; records
-  // impacts and audits the energy
+  // impacts
   void apply_laws(double h);
   void apply_spring(int a, double h);
   void solve_and_apply();
@@ -280,15 +311,16 @@ class World {
   Row velocity_after(int a, double h) const;
   void measure_after(double h);
   void find_shocks(double h);
-  bool solve_impact();
-  bool collide_one_by_one();
-  bool is_spring(Contact& contact);
   void record_impacts();
-  void audit_energy(double h);
-  double work_of_driven(int a, double h) const;
   double energy_of(int a) const;
   bool stays_closed(int a, double duration) const;
   Vec<D> stretch_after(int a, double duration) const;
+
+  // audit.cpp: the energy of impacts and steps
+  double work_of_driven(int a, double h) const;
+  void audit_energy(double h);
+  void doubt_springs(double h);
+  void audit_impact();
 
   // choose_step.cpp: the length of a step by its error
   bool chooses_steps() const { return settings_.step_tolerance > 0; }
@@ -339,8 +371,39 @@ class World {
 
   std::vector<Contact> contacts_;  ///< active in the current step
   std::vector<Contact> last_;      ///< of the last completed step
-  std::vector<Contact> closed_;    ///< at an instant of impacts one by one
-  std::vector<bool> springs_;      ///< which of closed_ are springs
+  std::vector<Contact> closed_;    ///< at an instant of several impacts
+  /// Of a contact of closed_, when impacts follow each other at one instant.
+  struct ClosedState {
+    double normal_speed = 0;  ///< m/s, now
+    double rest = 0;          ///< m/s, up to which it is rounding
+    double drift = 0;         ///< m/s, by which it opens although the last step held it
+    bool solved = false;      ///< by an impact since which its bodies have kept their velocities
+  };
+  std::vector<ClosedState> closed_states_;
+  std::vector<int> bearers_;  ///< the contacts of closed_ that contacts_ has
+  std::vector<char> drifts_;  ///< those of contacts_ that open by drift; empty: none
+  /// Of an island of the contacts of an instant.
+  struct IslandAtInstant {
+    int contacts = 0;
+    double speed = 0;             ///< m/s, the greatest of its bodies
+    bool approaches = false;      ///< a contact that is not solved approaches
+    bool has_other_form = false;  ///< a contact collides by another form than `newton_mean`
+  };
+  std::vector<IslandAtInstant> islands_at_instant_;  ///< [the body that names it]
+  JoinedBodies joined_;
+  /// Of an island of one impact.
+  struct ImpactBalance {
+    double contacts = 0;     ///< J, the work of the contacts, without that of driven bodies
+    double by_slip = 0;      ///< J, what slip of contacts of form `newton` gives of it
+    double kinetic = 0;      ///< J, kinetic energy after the impact
+    double driven = 0;       ///< J, the work of driven bodies
+    int size = 0;            ///< contacts
+    bool by_newton = false;  ///< a contact collides by the form `newton`
+    bool may_gain = false;   ///< a law answers with more than 1
+  };
+  std::vector<ImpactBalance> balances_;
+  std::vector<Gained> gained_;
+  std::vector<bool> springs_;  ///< which of closed_ are springs
   std::vector<ContactPoint<D>> points_;
   std::vector<int> parts_;                       ///< of one body near the ground
   std::vector<std::pair<int, int>> part_pairs_;  ///< of two bodies near each other

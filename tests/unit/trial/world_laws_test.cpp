@@ -170,6 +170,31 @@ bodies:
   CHECK(world.contacts()[0].law.e_n != world.contacts()[1].law.e_n);
 }
 
+TEST_CASE(
+    "where two rocks meet, the draws of the impact are those of the lighter one, in any order of the list") {
+  const std::string head = R"(
+gravity: 0
+terrain: { type: profile, points: [[-50, -20], [50, -20]], material: rock }
+materials: { rock: { restitution: { type: newton, en: { uniform: [0.1, 0.9], per: impact } } } }
+bodies:
+)";
+  const std::string big =
+      "  - { name: big, shape: { type: disk, radius: 0.5 }, mass: 10, position: [0, 0], velocity: [1, 0], "
+      "material: rock }\n";
+  const std::string small =
+      "  - { name: small, shape: { type: disk, radius: 0.1 }, mass: 1, position: [0.7, 0], velocity: [-1, "
+      "0], material: rock }\n";
+  for (const bool big_first : {true, false}) {
+    const Written written(head + (big_first ? big + small : small + big));
+    const TrialRecords records = first_trial(*written.loaded);
+    REQUIRE(records.inputs.size() == 1);
+    REQUIRE(records.impacts.size() == 2);  // in the history of both
+    CHECK(records.inputs[0].rock == (big_first ? 1 : 0));
+    const Impact& impact = records.impacts[0].impact;
+    CHECK(records.inputs[0].value == Approx(-impact.vn_after / impact.vn_before));
+  }
+}
+
 TEST_CASE("laws know the terrain by the name of the part that is met") {
   Written written(R"(
 plugins: [by_part.lua]
