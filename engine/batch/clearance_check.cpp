@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numeric>
 
+#include "batch/rocks_of_trial.h"
 #include "document/node.h"
 #include "document/value.h"
 #include "scenario/plan.h"
@@ -17,34 +17,24 @@ namespace {
 constexpr double beyond = 10;  // rocks that must be expected beyond a clearance
 
 /// Why a scenario has too few trials; empty if it has enough.
-std::string too_few(const ClearancePlan& plan, std::uint64_t trials, std::uint64_t rocks_per_trial) {
-  const std::uint64_t each = plan.per_blast ? 1 : rocks_per_trial;
-  const std::uint64_t needed = needed_for(plan.probability);
-  if (each == 0 || trials * each >= needed) return {};
+std::string too_few(const ClearancePlan& plan, std::uint64_t trials, const RocksOfTrial& rocks) {
+  const std::uint64_t each = plan.per_blast ? 1 : rocks.count;
+  const double probability = plan.simulated_probability(rocks.greatest);
+  const std::uint64_t needed = needed_for(probability);
+  if (rocks.count == 0 || trials * each >= needed) return {};
   const std::uint64_t enough = (needed + each - 1) / each;
   return fmt::format(
       "only {:.3g} of {} {} would be beyond the distance, at least {} must be: expected at least {} {}, {}",
-      plan.probability * static_cast<double>(trials * each), trials * each,
-      plan.per_blast ? "blasts" : "rocks", beyond, needed, plan.per_blast ? "blasts" : "rocks",
+      probability * static_cast<double>(trials * each), trials * each, plan.per_blast ? "blasts" : "rocks",
+      beyond, needed, plan.per_blast ? "blasts" : "rocks",
       enough <= most_trials ? fmt::format("that is `trials: {}`", enough) : "more than a run may have");
 }
 
-/// The number of rocks of each group in a trial. The first trial stands for all.
-std::vector<std::uint64_t> rocks_of_a_trial(const Scenario& scenario) {
-  std::vector<std::uint64_t> counts(scenario.rocks.size(), 0);
-  const auto count = [&](const auto& trial) {
-    for (const TrialRock& rock : trial.rocks) ++counts.at(static_cast<std::size_t>(rock.group));
-  };
-  if (scenario.dimension == 2)
-    count(TrialBuilder<2>(scenario).build(0));
-  else
-    count(TrialBuilder<3>(scenario).build(0));
-  return counts;
-}
-
-std::uint64_t rocks_of(const ClearancePlan& plan, const std::vector<std::uint64_t>& groups) {
-  if (plan.group >= 0) return groups.at(static_cast<std::size_t>(plan.group));
-  return std::accumulate(groups.begin(), groups.end(), std::uint64_t{0});
+RocksOfTrial rocks_of(const ClearancePlan& plan, const std::vector<RocksOfTrial>& groups) {
+  RocksOfTrial rocks;
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    if (plan.counts(static_cast<int>(g))) rocks.add(groups[g]);
+  return rocks;
 }
 
 /// What is wrong with a clearance of the scenario's tree.
@@ -52,15 +42,16 @@ struct Objections {
   std::string error, warning;
 };
 
-void object(const ClearancePlan& plan, std::uint64_t trials, std::uint64_t rocks, bool full,
+void object(const ClearancePlan& plan, std::uint64_t trials, const RocksOfTrial& rocks, bool full,
             Objections& objections) {
   if (full && objections.error.empty()) objections.error = too_few(plan, trials, rocks);
-  if (plan.per_blast && rocks < few_rocks_per_blast && objections.warning.empty())
+  if (plan.per_blast && rocks.real < few_rocks_per_blast && objections.warning.empty())
     objections.warning = fmt::format(
-        "each simulated blast has only {} rock{}. A real blast throws thousands, and the farthest of them "
+        "each simulated blast has only {:.4g} rock{}. A real blast throws thousands, and the farthest of "
+        "them "
         "goes "
         "farther; expected at least {} a blast, or `per: rock`",
-        rocks, rocks == 1 ? "" : "s", few_rocks_per_blast);
+        rocks.real, rocks.real == 1 ? "" : "s", few_rocks_per_blast);
 }
 
 }  // namespace
@@ -80,7 +71,7 @@ void check_clearances(const Value& root, const Plan& plan, bool full, Diagnostic
   std::vector<Objections> objections(items.size());
   for (const Scenario& scenario : plan.points) {
     try {
-      const std::vector<std::uint64_t> rocks = rocks_of_a_trial(scenario);
+      const std::vector<RocksOfTrial> rocks = rocks_of_a_trial(scenario);
       for (std::size_t i = 0; i < items.size(); ++i)
         object(scenario.clearances[i], scenario.trials, rocks_of(scenario.clearances[i], rocks), full,
                objections[i]);

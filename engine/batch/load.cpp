@@ -8,6 +8,7 @@
 #include "batch/include.h"
 #include "batch/safe_file.h"
 #include "batch/sha256.h"
+#include "batch/weight_check.h"
 #include "document/yaml_reader.h"
 #include "host/share.h"
 
@@ -119,7 +120,10 @@ std::optional<LoadedScenario> load_scenario(const std::string& path, const Overr
   // answers.
   check_clearances(root, loaded.plan, loaded.plan.points.front().trials_of_run() >= loaded.own_trials,
                    diagnostics);
-  if (!before) warn_of_short_throws(root, loaded.plan, diagnostics);  // it flies rocks, once is enough
+  if (!before) {  // these build and fly rocks, once is enough
+    warn_of_weights(root, loaded.plan, diagnostics);
+    warn_of_short_throws(root, loaded.plan, diagnostics);
+  }
   loaded.files = before ? before->files : hashes_of(loaded.plan.files, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   loaded.warnings = diagnostics.warnings();

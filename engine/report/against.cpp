@@ -96,8 +96,9 @@ Numbers numbers_of(const Json& point) {
           clearance.at("lower_bound")}});
   if (point.contains("exposure"))
     for (const Json& exposed : point.at("exposure"))
-      numbers.push_back({"blasts that hit " + exposed.at("exposure").get<std::string>(),
-                         {"", exposed.at("per_blast"), exposed.at("interval"), false}});
+      numbers.push_back(
+          {"blasts that hit " + exposed.at("exposure").get<std::string>(),
+           {"", exposed.at("per_blast").at("share"), exposed.at("per_blast").at("interval"), false}});
   return numbers;
 }
 

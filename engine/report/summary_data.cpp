@@ -133,9 +133,9 @@ void forget_statistics(Json& point) {
                   "energy_factor", "height_factor", "held_height_m", "held_energy_J", "rocks", "counts"});
   if (point.contains("trees")) forget_numbers(point["trees"], {"hits", "counts"});
   for (Json& clearance : point["clearance"]) {
-    forget_numbers(clearance,
-                   {"clearance", "group", "probability", "per", "of", "count", "rocks_per_blast", "needed",
-                    "confidence", "factor", "area", "customary", "known_throw", "beyond_known_throw"});
+    forget_numbers(clearance, {"clearance", "group", "probability", "per", "of", "count", "rocks_per_blast",
+                               "weight", "upper_bound", "needed", "confidence", "factor", "area", "customary",
+                               "known_throw", "beyond_known_throw"});
     if (clearance.contains("area")) clearance["area"]["sectors"] = Json::array();
   }
   if (point.contains("exposure"))
@@ -159,7 +159,8 @@ Json line_of(const Place& place) {
   return line;
 }
 
-/// { of_all, of_arriving, per_trial: { share, interval, design_effect, lower_bound } }
+/// { of_all, of_arriving, per_trial: { share, interval, design_effect, lower_bound } }; per_trial also has
+/// the members of bounds_data().
 Json share_data(const Share& share) {
   return {{"share", number(share.value)},
           {"interval", interval_data(share.interval)},
@@ -167,9 +168,12 @@ Json share_data(const Share& share) {
           {"lower_bound", share.censored}};
 }
 Json shares_data(const Shares& shares) {
+  Json per_trial = bounds_data(shares.blast);
+  per_trial["design_effect"] = number(shares.per_trial.interval.design_effect);
+  per_trial["lower_bound"] = shares.per_trial.censored;
   return {{"of_all", share_data(shares.of_all)},
           {"of_arriving", share_data(shares.of_arriving)},
-          {"per_trial", share_data(shares.per_trial)}};
+          {"per_trial", per_trial}};
 }
 
 /// The numbers of arrivals, with their intervals.
@@ -336,6 +340,10 @@ Json clearances_data(const Scenario& scenario, const std::vector<ClearanceSummar
           clearance.interval.trials_needed > 0 ? Json(clearance.interval.trials_needed) : Json(nullptr)},
          {"factor", plan.factor ? Json(*plan.factor) : Json(nullptr)},
          {"with_factor", number(clearance.with_factor)}});
+    if (clearance.is_upper_bound(plan)) {
+      list.back()["upper_bound"] = true;
+      list.back()["weight"] = clearance.weight;
+    }
     if (plan.customary) list.back()["customary"] = *plan.customary;
     if (plan.known_throw) {
       list.back()["known_throw"] = *plan.known_throw;

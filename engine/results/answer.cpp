@@ -102,6 +102,9 @@ std::string clearance_answer(const Plan& plan, const Results& results, std::size
     text = fmt::format("Clearance {}: at most {} of the {} farther than {}", asked.name,
                        percent(asked.probability), who_goes(plan.points.front(), asked, first), distance);
   }
+  if (one && first.is_upper_bound(asked))
+    text +=
+        fmt::format(", an upper bound, because a rock stands for {} real ones", three_digits(first.weight));
   text += '.';
   if (asked.factor)
     text += fmt::format(" With the factor {} that is {}.", three_digits(*asked.factor),
@@ -131,34 +134,47 @@ std::string clearances_answer(const Plan& plan, const Results& results) {
   return text;
 }
 
-/// "Exposure house: a blast hits it with probability 0.012 % (one blast in 8,300; 95 % interval 0.009 to
-/// 0.016
-/// %), and in a year of 50 blasts with 0.6 %." Of one that no rock came near, the bound.
+/// "0.012 % (one blast in 8,300; 95 % interval 0.009 to 0.016 %)". Of one that no rock came near, the bound.
+std::string hit_text(const ExposureSummary& found, std::uint64_t trials) {
+  const BlastBounds& hit = found.per_blast;
+  if (!(hit.upper > 0))
+    return fmt::format("below {} (no rock of {} blasts landed within {} m; 95 % bound)",
+                       percent(hit.interval.upper), trials, three_digits(found.radius));
+  const std::string interval = fmt::format("95 % interval {} to {} %", three_digits(100 * hit.interval.lower),
+                                           three_digits(100 * hit.interval.upper));
+  if (!hit.tells())
+    return fmt::format("between {} and {} ({}; {})", three_digits(100 * hit.lower), percent(hit.upper),
+                       interval, telling_text(hit));
+  return fmt::format("{} (one blast in {}; {})", percent(hit.upper), three_digits(1 / hit.upper), interval);
+}
+
+/// "Exposure house: a blast hits it with the probability 0.012 % (...), in a year of 50 blasts and occupied
+/// 100 % of the time with 0.6 %." Of traffic a vehicle, and how often a rock lands on the road.
 std::string exposure_answer(const Plan& plan, const Results& results, std::size_t e) {
   const ExposurePlan& asked = plan.points.front().exposures[e];
+  const bool traffic = asked.has_traffic();
   const auto at = [&](std::size_t p) -> const ExposureSummary& { return results.points[p].exposures.at(e); };
-  const auto text_of = [&](std::size_t p) {
-    const ExposureSummary& found = at(p);
-    if (found.landings == 0)
-      return fmt::format("below {} (no rock of {} blasts landed within {} m; 95 % bound)",
-                         percent(found.interval.upper), results.points[p].trials, three_digits(found.radius));
-    return fmt::format("{} (one blast in {}; 95 % interval {} to {} %)", percent(found.per_blast),
-                       three_digits(1 / found.per_blast), three_digits(100 * found.interval.lower),
-                       three_digits(100 * found.interval.upper));
+  const auto over = [&](auto value_at, auto text_at) {
+    return over_points(plan, results, value_at, text_at);
   };
-  std::string text = fmt::format("Exposure {}: a blast hits it with the probability {}", asked.name,
-                                 over_points(
-                                     plan, results, [&](std::size_t p) { return at(p).per_blast; }, text_of));
-  if (asked.blasts_per_year != 1 || asked.occupied != 1)
-    text += fmt::format(
-        ", in a year of {} blast{} and occupied {} of the time with {}", three_digits(asked.blasts_per_year),
-        asked.blasts_per_year == 1 ? "" : "s", percent(asked.occupied),
-        over_points(
-            plan, results, [&](std::size_t p) { return at(p).per_year; },
-            [&](std::size_t p) {
-              const bool none = at(p).landings == 0;
-              return (none ? "below " : "") + percent(none ? at(p).per_year_interval.upper : at(p).per_year);
-            }));
+  std::string text = fmt::format(
+      "Exposure {}: a blast hits {} with the probability {}", asked.name, traffic ? "a vehicle" : "it",
+      over([&](std::size_t p) { return at(p).per_blast.upper; },
+           [&](std::size_t p) { return hit_text(at(p), results.points[p].trials); }));
+  if (asked.blasts_per_year != 1 || (asked.occupied != 1 && !traffic))
+    text += fmt::format(", in a year of {} blast{}{} with {}", three_digits(asked.blasts_per_year),
+                        asked.blasts_per_year == 1 ? "" : "s",
+                        traffic ? "" : fmt::format(" and occupied {} of the time", percent(asked.occupied)),
+                        over([&](std::size_t p) { return at(p).per_year; },
+                             [&](std::size_t p) {
+                               const bool none = !(at(p).per_blast.upper > 0);
+                               return (none ? "below " : "") +
+                                      percent(none ? at(p).per_year_interval.upper : at(p).per_year);
+                             }));
+  if (traffic)
+    text += fmt::format("; a rock lands on the road with {}",
+                        over([&](std::size_t p) { return at(p).road_hit; },
+                             [&](std::size_t p) { return percent(at(p).road_hit); }));
   return text + '.';
 }
 

@@ -81,19 +81,32 @@ std::string share_over_points(const Plan& plan, const Results& results, std::siz
                     [&](const PointResult& point) { return share_at(point.crossings.at(group)); });
 }
 
+/// The same per trial: shares_at(its crossings).
+template <class SharesAt>
+std::string per_trial_over_points(const Plan& plan, const Results& results, std::size_t group,
+                                  SharesAt shares_at) {
+  if (results.points.size() == 1)
+    return display_per_trial(shares_at(results.points.front().crossings.at(group)));
+  return share_over_points(plan, results, group,
+                           [&](const CrossingSummary& crossings) { return shares_at(crossings).per_trial; });
+}
+
 std::string of_rocks(const std::string& name, const Plan& plan, const Results& results, std::size_t b) {
   const auto arrives = [b](const CrossingSummary& crossings) {
     return crossings.barriers.at(b).count(BarrierShare::reached) > 0;
   };
   const std::vector<std::size_t> groups = named_groups(plan, results, arrives);
   const auto reached = [b](const CrossingSummary& crossings) {
-    return crossings.barriers.at(b).share(BarrierShare::reached).per_trial;
+    return crossings.barriers.at(b).share(BarrierShare::reached);
+  };
+  const auto past = [b](const CrossingSummary& crossings) {
+    return crossings.barriers.at(b).share(BarrierShare::past);
   };
   const bool any = std::any_of(results.points.begin(), results.points.end(),
                                [&](const PointResult& point) { return arrives(point.crossings.front()); });
   if (!any)
     return fmt::format("Barrier {}: in {} of the trials a rock reaches it. ", name,
-                       share_over_points(plan, results, 0, reached));
+                       per_trial_over_points(plan, results, 0, reached));
   std::string text;
   for (const std::size_t group : groups) {
     const auto of = [&](BarrierShare what, Share Shares::*sense) {
@@ -109,7 +122,7 @@ std::string of_rocks(const std::string& name, const Plan& plan, const Results& r
                           of(BarrierShare::over_energy, &Shares::of_arriving),
                           of(BarrierShare::reached, &Shares::of_all));
     text += fmt::format(". In {} of the trials at least one gets past. ",
-                        of(BarrierShare::past, &Shares::per_trial));
+                        per_trial_over_points(plan, results, group, past));
   }
   return text;
 }
@@ -207,13 +220,9 @@ std::string gates_answer(const Plan& plan, const Results& results) {
         plan, results, [g](const CrossingSummary& crossings) { return crossings.gates.at(g).passed > 0; });
     if (groups.empty()) groups = {0};  // of no group a rock passes
     for (const std::size_t group : groups) {
-      const auto of = [&](Share Shares::*sense) {
-        return share_over_points(plan, results, group, [&](const CrossingSummary& crossings) {
-          return crossings.gates.at(g).shares.*sense;
-        });
-      };
+      const auto passed = [g](const CrossingSummary& crossings) { return crossings.gates.at(g).shares; };
       text += fmt::format("Gate {}{}: in {} of the trials at least one rock passes. ", scenario.gates[g].name,
-                          group_suffix(results, group), of(&Shares::per_trial));
+                          group_suffix(results, group), per_trial_over_points(plan, results, group, passed));
     }
   }
   return text;

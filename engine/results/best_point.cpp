@@ -76,7 +76,7 @@ std::string named_point(const Plan& plan, std::size_t point) {
 
 bool is_share(const std::string& measure) {
   const std::vector<std::string> steps = measure_steps(measure);
-  return steps[0] == "barrier" || (steps[0] == "gate" && steps[2] == "passed") ||
+  return steps[0] == "barrier" || (steps[0] == "gate" && (steps[2] == "passed" || steps[2] == "per_trial")) ||
          (steps[0] == "trees" && steps[1] != "hits") || (steps[0] == "rocks" && steps.back() == "censored");
 }
 

@@ -7,16 +7,16 @@ namespace flyrock {
 
 namespace {
 
-/// Adds the distances of rocks, or of the farthest rock of each trial, for a clearance. Returns the number of
-/// rocks considered.
-std::uint64_t add_distances(const std::vector<RockRecord>& rocks, const ClearancePlan& plan, Sample& sample) {
+/// Adds the distances of rocks, or of the farthest rock of each trial, for a clearance. Shows each rock to
+/// `see`.
+template <class See>
+void add_distances(const std::vector<RockRecord>& rocks, const ClearancePlan& plan, Sample& sample, See see) {
   const RockStatistic& distance =
       rock_statistics[plan.of_max_distance ? rock_statistic("max_distance") : rock_statistic("runout")];
-  std::uint64_t count = 0;
   std::optional<Bounded> farthest;  // in the trial
   for (std::size_t i = 0; i < rocks.size(); ++i) {
     if (!is_fault(rocks[i].reason) && plan.counts(rocks[i].group)) {
-      ++count;
+      see(rocks[i]);
       const Bounded value = bounded(rocks[i], distance);
       if (!plan.per_blast) sample.add(value, rocks[i].trial, rocks[i].weight);
       // A censored rock may have gone farther than the farthest known one.
@@ -28,7 +28,6 @@ std::uint64_t add_distances(const std::vector<RockRecord>& rocks, const Clearanc
     if (plan.per_blast && farthest) sample.add(*farthest, rocks[i].trial);
     farthest.reset();
   }
-  return count;
 }
 
 /// With sectors, the distance is the farthest one of the area. If another sector is a lower bound, that
@@ -45,22 +44,32 @@ void take_farthest(ClearanceSummary& summary) {
 
 ClearanceTally::ClearanceTally(const std::vector<ClearancePlan>& plans) : plans_(plans) {
   for (const ClearancePlan& plan : plans_) {
-    const double p = 1 - plan.probability;
-    samples_.emplace_back(Questions{{p}, {{p, plan.confidence}}});
-    rocks_.push_back(0);
+    samples_.emplace_back();
+    rocks_.emplace_back();
     sectors_.emplace_back(plan);
   }
 }
 
 void ClearanceTally::add(const TrialRecords& chunk) {
   for (std::size_t c = 0; c < plans_.size(); ++c) {
-    const std::uint64_t rocks = add_distances(chunk.rocks, plans_[c], samples_[c]);
-    if (!counted_) rocks_[c] += rocks;
+    add_distances(chunk.rocks, plans_[c], samples_[c], [&](const RockRecord& rock) {
+      if (counted_) return;
+      rocks_[c].rocks += rock.weight;
+      rocks_[c].weights.add(rock.weight);
+    });
     sectors_[c].add(chunk);
   }
 }
 
+double ClearanceTally::probability(std::size_t clearance) const {
+  return plans_[clearance].simulated_probability(rocks_[clearance].weights.greatest());
+}
+
 bool ClearanceTally::needs_another_pass() {
+  for (std::size_t c = 0; c < plans_.size() && !counted_; ++c) {
+    const double p = 1 - probability(c);
+    samples_[c].ask({{p}, {{p, plans_[c].confidence}}});
+  }
   counted_ = true;
   bool more = false;
   for (std::size_t c = 0; c < plans_.size(); ++c) {
@@ -68,8 +77,7 @@ bool ClearanceTally::needs_another_pass() {
     if (samples_[c].needs_another_pass())
       more = true;
     else if (samples_[c].size() > 0)
-      design_effect =
-          samples_[c].quantile_interval(1 - plans_[c].probability, plans_[c].confidence).design_effect;
+      design_effect = samples_[c].quantile_interval(1 - probability(c), plans_[c].confidence).design_effect;
     more |= sectors_[c].needs_another_pass(design_effect);
   }
   return more;
@@ -81,14 +89,15 @@ std::vector<ClearanceSummary> ClearanceTally::summaries() const {
     const ClearancePlan& plan = plans_[c];
     ClearanceSummary& summary = summaries.emplace_back();
     summary.count = samples_[c].size();
-    summary.rocks = rocks_[c];
-    summary.needed = needed_for(plan.probability);
+    summary.rocks = rocks_[c].rocks;
+    if (rocks_[c].weights.any_rock()) summary.weight = rocks_[c].weights.greatest();
+    summary.needed = needed_for(probability(c));
     if (plan.sectors > 0) {
       summary.area = sectors_[c].summary();
       take_farthest(summary);
     } else if (summary.count >= summary.needed) {
-      summary.interval = samples_[c].quantile_interval(1 - plan.probability, plan.confidence);
-      if (summary.enough()) summary.distance = samples_[c].quantile(1 - plan.probability);
+      summary.interval = samples_[c].quantile_interval(1 - probability(c), plan.confidence);
+      if (summary.enough()) summary.distance = samples_[c].quantile(1 - probability(c));
     }
     if (plan.factor) summary.with_factor = *plan.factor * summary.distance.value;
   }

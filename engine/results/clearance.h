@@ -12,12 +12,13 @@ namespace flyrock {
 
 struct ClearanceSummary {
   std::uint64_t count =
-      0;  ///< rocks without faults (of its group, if it has one), or trials with such a rock
-  std::uint64_t rocks = 0;   ///< rocks of all these trials
-  std::uint64_t needed = 0;  ///< needed_for(probability)
-  /// The quantile 1 - probability and its interval with the confidence of the plan (see Sample); NaN if there
-  /// are too few rocks or trials. With sectors, the greatest distance of the area, without an interval: the
-  /// area holds with stated_confidence.
+      0;              ///< rocks without faults (of its group, if it has one), or trials with such a rock
+  double rocks = 0;   ///< real rocks of all these trials, the sum of the weights
+  double weight = 1;  ///< the greatest of the rocks
+  std::uint64_t needed = 0;  ///< needed_for(simulated_probability)
+  /// The quantile 1 - simulated_probability and its interval with the confidence of the plan (see Sample);
+  /// NaN if there are too few rocks or trials. With sectors, the greatest distance of the area, without an
+  /// interval: the area holds with stated_confidence.
   Bounded distance{unknown, false};
   Interval interval{unknown, unknown};  ///< with trials_needed if too few trials reach beyond the distance
   /// factor x distance; NaN without a factor. The factor is applied only here and not to the interval.
@@ -28,9 +29,11 @@ struct ClearanceSummary {
   bool enough() const {
     return area.sectors.empty() ? count >= needed && interval.trials_needed == 0 : area.beyond.has_value();
   }
-  /// The mean number of rocks in a blast. The farthest rock of few is nearer than the farthest of many. NaN
-  /// without a blast.
-  double rocks_per_blast() const { return static_cast<double>(rocks) / static_cast<double>(count); }
+  /// Per blast, where rocks stand for several: of the real blasts at most `probability` go farther.
+  bool is_upper_bound(const ClearancePlan& plan) const { return plan.per_blast && weight > 1; }
+  /// The mean number of real rocks in a blast. The farthest rock of few is nearer than the farthest of many.
+  /// NaN without a blast.
+  double rocks_per_blast() const { return rocks / static_cast<double>(count); }
 };
 
 /// Computes the clearances of a scenario from rocks that are shown in passes; see read_in_passes().
@@ -43,9 +46,16 @@ class ClearanceTally {
   std::vector<ClearanceSummary> summaries() const;
 
  private:
+  /// The rocks of a clearance, counted in the first pass.
+  struct Counted {
+    double rocks = 0;
+    WeightRange weights;
+  };
+  double probability(std::size_t clearance) const;
+
   std::vector<ClearancePlan> plans_;
   std::vector<Sample> samples_;       ///< distances
-  std::vector<std::uint64_t> rocks_;  ///< rocks counted in each sample
+  std::vector<Counted> rocks_;        ///< in each sample
   bool counted_ = false;              ///< first pass is done
   std::vector<SectorTally> sectors_;  ///< empty if no sectors are asked for
 };

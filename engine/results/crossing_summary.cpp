@@ -121,8 +121,25 @@ bool CrossingTally::Arrivals::needs_another_pass() {
   return more;
 }
 
-Shares CrossingTally::Arrivals::shares(std::size_t share) const {
-  return {of_all.of_rocks(share), of_arriving.of_rocks(share), of_all.per_trial(share)};
+/// h_i is 1 or 0, so that S is the product too.
+SimulatedBlasts CrossingTally::Arrivals::blasts(std::size_t share, std::uint64_t trials) const {
+  const Share simulated = of_all.per_trial(share, trials);
+  return {simulated.value,    simulated.interval, simulated.value,
+          simulated.interval, of_all.weights(),   of_all.weights(share)};
+}
+
+Shares CrossingTally::Arrivals::shares(std::size_t share, const std::vector<const Arrivals*>& groups) const {
+  const std::uint64_t trials = of_all.trials();
+  Shares shares{of_all.of_rocks(share), of_arriving.of_rocks(share), of_all.per_trial(share),
+                bounds_of(blasts(share, trials))};
+  if (of_all.weights().differ()) {
+    std::vector<BlastBounds> of_groups;
+    for (const Arrivals* group : groups) of_groups.push_back(bounds_of(group->blasts(share, trials)));
+    shares.blast = over_groups(shares.blast, of_groups);
+  }
+  shares.per_trial.value = shares.blast.upper;
+  shares.per_trial.interval = shares.blast.interval;
+  return shares;
 }
 
 bool CrossingTally::needs_another_pass() {
@@ -134,25 +151,29 @@ bool CrossingTally::needs_another_pass() {
   return more;
 }
 
-void CrossingTally::use_chances() {
-  for (auto* places : {&gates_, &barriers_})
-    for (Arrivals& at : *places) at.of_all.use_chances();
+std::vector<const CrossingTally::Arrivals*> CrossingTally::at_place(
+    std::span<const CrossingTally> groups, std::vector<Arrivals> CrossingTally::*places, std::size_t i) {
+  std::vector<const Arrivals*> list;
+  for (const CrossingTally& group : groups) list.push_back(&(group.*places)[i]);
+  return list;
 }
 
-CrossingSummary CrossingTally::summary() const {
+CrossingSummary CrossingTally::summary(std::span<const CrossingTally> groups) const {
   CrossingSummary summary;
   for (const Arrivals& at : gates_) {
+    const auto of_groups = at_place(groups, &CrossingTally::gates_, summary.gates.size());
     const bool open = at.of_all.open() > 0;
-    summary.gates.push_back({at.of_all.counted(), at.shares(0), lower_bounds(at.speed, open),
+    summary.gates.push_back({at.of_all.counted(), at.shares(0, of_groups), lower_bounds(at.speed, open),
                              lower_bounds(at.energy, open), lower_bounds(at.height, open),
                              intervals_of(at.speed), intervals_of(at.energy), intervals_of(at.height),
                              at.along});
   }
   for (const Arrivals& at : barriers_) {
+    const auto of_groups = at_place(groups, &CrossingTally::barriers_, summary.barriers.size());
     BarrierSummary& barrier = summary.barriers.emplace_back();
     for (std::size_t s = 0; s < barrier.shares.size(); ++s) {
       barrier.counts[s] = at.of_all.counted(s);
-      barrier.shares[s] = at.shares(s);
+      barrier.shares[s] = at.shares(s, of_groups);
     }
     barrier.not_reached = at.of_all.rocks() - barrier.count(BarrierShare::reached);
     const bool open = at.of_all.open() > 0;
@@ -185,16 +206,15 @@ void CrossingTallies::add(const TrialRecords& chunk) {
 
 bool CrossingTallies::needs_another_pass() {
   bool more = false;
-  // What is true of all rocks is true of each group, also of one whose weights are 1.
-  if (tallies_.front().has_weights())
-    for (CrossingTally& tally : tallies_) tally.use_chances();
   for (CrossingTally& tally : tallies_) more |= tally.needs_another_pass();
   return more;
 }
 
 std::vector<CrossingSummary> CrossingTallies::summaries() const {
   std::vector<CrossingSummary> summaries;
-  for (const CrossingTally& tally : tallies_) summaries.push_back(tally.summary());
+  const std::span groups = std::span(tallies_).subspan(1);
+  summaries.push_back(tallies_.front().summary(groups));
+  for (const CrossingTally& group : groups) summaries.push_back(group.summary());
   return summaries;
 }
 

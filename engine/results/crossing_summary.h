@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "results/blast_bounds.h"
 #include "results/share.h"
 #include "results/statistics.h"
 
@@ -17,7 +18,8 @@ namespace flyrock {
 struct Shares {
   Share of_all;       ///< of all rocks
   Share of_arriving;  ///< of the rocks that arrive; of a gate all pass
-  Share per_trial;    ///< of the trials: those with at least one such rock
+  Share per_trial;    ///< of the trials: those with at least one such rock; with weights `blast.upper`
+  BlastBounds blast;  ///< of the probability that at least one such real rock comes with a blast
 };
 
 /// The rocks without faults of one sweep point, or of one of its groups, at one place. A censored rock that
@@ -89,10 +91,8 @@ class CrossingTally {
   void add(const RockRecord& rock, std::span<const GateRecord> gates,
            std::span<const BarrierRecord> barriers);
   bool needs_another_pass();
-  CrossingSummary summary() const;
-  bool has_weights() const { return caught_.has_weights(); }
-  /// See ShareTally.
-  void use_chances();
+  /// `groups`: the tallies of the groups of these rocks, if there are several.
+  CrossingSummary summary(std::span<const CrossingTally> groups = {}) const;
 
  private:
   /// The arrivals at one place.
@@ -107,12 +107,17 @@ class CrossingTally {
 
     void count(const RockRecord& rock, std::initializer_list<std::size_t> shares);
     void add(const Arrival& arrival, const RockRecord& rock);
-    Shares shares(std::size_t share) const;
+    /// `groups`: the arrivals of each group at the same place.
+    Shares shares(std::size_t share, const std::vector<const Arrivals*>& groups) const;
+    SimulatedBlasts blasts(std::size_t share, std::uint64_t trials) const;
     bool needs_another_pass();
   };
 
   void count(const RockRecord& rock, std::span<const GateRecord> gates,
              std::span<const BarrierRecord> barriers);
+  /// The arrivals of groups at one of their places.
+  static std::vector<const Arrivals*> at_place(std::span<const CrossingTally> groups,
+                                               std::vector<Arrivals> CrossingTally::*places, std::size_t i);
   static void leave_open(const RockRecord& rock, std::vector<Arrivals>& places, std::uint64_t decided);
 
   bool counted_ = false;  ///< first pass is done

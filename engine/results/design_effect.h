@@ -31,13 +31,16 @@ struct Weighed {
   }
 };
 
-/// Whether the weights of some rocks differ.
+/// The least and the greatest weight of some rocks.
 class WeightRange {
  public:
   void add(double weight) {
     least_ = std::min(least_, weight);
     greatest_ = std::max(greatest_, weight);
   }
+  bool any_rock() const { return least_ <= greatest_; }
+  double least() const { return least_; }  ///< infinite without a rock
+  double greatest() const { return greatest_; }
   bool differ() const { return least_ < greatest_; }
   /// Whether a rock stands for more or less than itself.
   bool any() const { return differ() || (least_ == greatest_ && least_ != 1); }

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <boost/math/distributions/gamma.hpp>
 #include <cmath>
+#include <span>
+
+#include "results/exposure_kernel.h"
 
 namespace flyrock {
 
@@ -13,42 +16,7 @@ constexpr double most_of_way = 0.1;         ///< of its radius
 
 Vec2 landing_of(const RockRecord& rock) { return {rock.stop_x, rock.stop_y}; }
 Vec2 release_of(const RockRecord& rock) { return {rock.start_x, rock.start_y}; }
-
-/// The place of the line from a to b that is nearest to `place`.
-Vec2 nearest_on(const Vec2& a, const Vec2& b, const Vec2& place) {
-  const Vec2 way = b - a;
-  return a + std::clamp((place - a).dot(way) / way.squaredNorm(), 0.0, 1.0) * way;
-}
-
-double length_of(const std::vector<Vec2>& line) {
-  double length = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
-  return length;
-}
-
-/// Epanechnikov's kernel over a line [1/m] and over a plane [1/m2].
-double kernel_in_line(double s, double radius) {
-  const double u = s / radius;
-  return 0.75 / radius * std::max(0.0, 1 - u * u);
-}
-double kernel_in_plan(double s, double radius) {
-  const double u = s / radius;
-  return 2 / (pi * radius * radius) * std::max(0.0, 1 - u * u);
-}
-
-/// The integral of the kernel over a plane about `place` along the line from a to b [1/m].
-double kernel_along(const Vec2& a, const Vec2& b, const Vec2& place, double radius) {
-  const double length = (b - a).norm();
-  const Vec2 along = (b - a) / length;
-  const double middle = along.dot(place - a), aside = std::abs(cross(along, Vec2(place - a))) / radius;
-  if (aside >= 1) return 0;
-  const double half = std::sqrt(1 - aside * aside);
-  const auto integral = [&](double at) {  // of 1 - aside^2 - u^2 from 0
-    const double u = std::clamp((at - middle) / radius, -half, half);
-    return u * (half * half - u * u / 3);
-  };
-  return 2 / (pi * radius) * (integral(length) - integral(0));
-}
+std::size_t group_of(const RockRecord& rock) { return static_cast<std::size_t>(rock.group); }
 
 }  // namespace
 
@@ -68,39 +36,13 @@ Interval rare_interval(double sum, double squares, double greatest, std::uint64_
 }
 
 ExposureTally::ExposureTally(const Scenario& scenario) : dimension_(scenario.dimension) {
-  for (const ExposurePlan& plan : scenario.exposures)
-    exposed_.push_back({.plan = plan, .radius = plan.radius});
+  const std::size_t sets = scenario.rocks.size() > 1 ? 1 + scenario.rocks.size() : 1;
+  for (const ExposurePlan& plan : scenario.exposures) {
+    RockSet set;
+    if (plan.has_traffic()) set.road.emplace_back(length_of(plan.line), plan.length);
+    exposed_.push_back({.plan = plan, .radius = plan.radius, .sets = std::vector<RockSet>(sets, set)});
+  }
   if (exposed_.empty()) stage_ = Stage::done;
-}
-
-double ExposureTally::distance(const ExposurePlan& plan, const Vec2& place) const {
-  if (dimension_ == 2) return std::abs(place.x() - plan.at.x());
-  if (plan.line.empty()) return (place - plan.at).norm();
-  double least = infinite;
-  for (std::size_t i = 1; i < plan.line.size(); ++i)
-    least = std::min(least, (nearest_on(plan.line[i - 1], plan.line[i], place) - place).norm());
-  return least;
-}
-
-double ExposureTally::part_of_area(const ExposurePlan& plan, double way) const {
-  if (dimension_ == 2) return plan.area / (plan.spread * way);
-  if (plan.line.empty()) return plan.area;
-  return plan.area / (plan.length > 0 ? plan.length : length_of(plan.line));
-}
-
-double ExposureTally::kernel_at(const Exposed& exposed, const Vec2& landing) const {
-  const ExposurePlan& plan = exposed.plan;
-  if (dimension_ == 2) return kernel_in_line(landing.x() - plan.at.x(), exposed.radius);
-  if (plan.line.empty()) return kernel_in_plan((landing - plan.at).norm(), exposed.radius);
-  double along = 0;
-  for (std::size_t i = 1; i < plan.line.size(); ++i)
-    along += kernel_along(plan.line[i - 1], plan.line[i], landing, exposed.radius);
-  return along;
-}
-
-double ExposureTally::kernel_peak(const Exposed& exposed) const {
-  if (dimension_ == 2) return kernel_in_line(0, exposed.radius);
-  return exposed.plan.line.empty() ? kernel_in_plan(0, exposed.radius) : 8 / (3 * pi * exposed.radius);
 }
 
 void ExposureTally::add(const TrialRecords& chunk) {
@@ -118,8 +60,10 @@ void ExposureTally::search(const RockRecord& rock) {
   releases_ += release_of(rock);
   heaviest_ = std::max(heaviest_, rock.weight);
   for (Exposed& exposed : exposed_) {
+    exposed.sets.front().weights.add(rock.weight);
+    if (exposed.sets.size() > 1) exposed.sets.at(1 + group_of(rock)).weights.add(rock.weight);
     if (exposed.radius > 0 || rock.end_energy < exposed.plan.energy) continue;
-    const double s = distance(exposed.plan, landing_of(rock));
+    const double s = ExposureKernel(exposed.plan, dimension_).distance(landing_of(rock));
     std::vector<double>& heap = exposed.nearest;
     if (heap.size() == landings_held && s >= heap.front()) continue;
     if (heap.size() == landings_held) {
@@ -135,43 +79,90 @@ void ExposureTally::choose_radii() {
   if (landings_ == 0) return;
   const Vec2 release = releases_ / static_cast<double>(landings_);
   for (Exposed& exposed : exposed_) {
-    const double way = distance(exposed.plan, release);
+    const ExposureKernel kernel(exposed.plan, dimension_);
+    const double way = kernel.distance(release);
     if (!(exposed.radius > 0)) {
       const bool enough = exposed.nearest.size() == landings_held;
       exposed.radius = enough ? std::min(exposed.nearest.front(), most_of_way * way) : most_of_way * way;
       exposed.radius = std::max(exposed.radius, exposed.plan.least_radius());
       exposed.nearest = {};
     }
-    const double greatest = std::min(1.0, part_of_area(exposed.plan, way) * kernel_peak(exposed));
-    exposed.greatest = -std::expm1(heaviest_ * std::log1p(-greatest));
+    const double missed = std::log1p(-kernel.greatest_chance(way, exposed.radius));
+    const double event = -std::expm1(missed), heavy = -std::expm1(heaviest_ * missed);
+    const double hit = -std::expm1(-exposed.plan.occupied);  // a vehicle, by a stone on the road
+    for (RockSet& set : exposed.sets) {
+      set.place.simulated.greatest = event;
+      set.place.weighted.greatest = heavy;
+      set.vehicle.simulated.greatest = hit * event;
+      set.vehicle.weighted.greatest = hit * heavy;
+    }
   }
 }
 
 void ExposureTally::count(const RockRecord& rock) {
   for (Exposed& exposed : exposed_) {
     if (rock.end_energy < exposed.plan.energy) continue;
+    const ExposureKernel kernel(exposed.plan, dimension_);
     // The landing that gives the radius lies on the edge of the kernel and counts, with the weight 0.
-    if (distance(exposed.plan, landing_of(rock)) > exposed.radius) continue;
-    const double way = distance(exposed.plan, release_of(rock));
-    const double q = std::min(1.0, part_of_area(exposed.plan, way) * kernel_at(exposed, landing_of(rock)));
+    if (kernel.distance(landing_of(rock)) > exposed.radius) continue;
+    const double way = kernel.distance(release_of(rock));
+    const double q = kernel.chance(landing_of(rock), way, exposed.radius);
+    std::optional<StoneOnRoad> on_road;
+    if (exposed.plan.has_traffic()) on_road = kernel.on_road(landing_of(rock), exposed.radius);
     ++exposed.landings;
-    exposed.has_landing = true;
     exposed.density += rock.weight * q / exposed.plan.area;
-    exposed.log_missed += rock.weight * std::log1p(-q);
+    count(exposed.sets.front(), rock, q, on_road);
+    if (exposed.sets.size() > 1) count(exposed.sets.at(1 + group_of(rock)), rock, q, on_road);
   }
+}
+
+void ExposureTally::count(RockSet& set, const RockRecord& rock, double chance,
+                          const std::optional<StoneOnRoad>& on_road) {
+  set.has_landing = true;
+  set.near.add(rock.weight);
+  set.log_missed += std::log1p(-chance);
+  set.weighted_log_missed += rock.weight * std::log1p(-chance);
+  if (!on_road) return;
+  set.stones.push_back(*on_road);
+  set.weighted_stones.push_back({on_road->at, carried(on_road->chance, rock.weight)});
+}
+
+void ExposureTally::Chances::add(double chance) {
+  sum += chance;
+  squares += chance * chance;
+  greatest = std::max(greatest, chance);
+}
+
+void ExposureTally::Hits::add(double of_simulated, double of_weighted) {
+  simulated.add(of_simulated);
+  weighted.add(of_weighted);
 }
 
 void ExposureTally::close_trial() {
   for (Exposed& exposed : exposed_) {
-    if (!exposed.has_landing) continue;
-    const double hit = -std::expm1(exposed.log_missed);
-    ++exposed.trials;
-    exposed.sum += hit;
-    exposed.squares += hit * hit;
-    exposed.greatest = std::max(exposed.greatest, hit);
-    exposed.log_missed = 0;
-    exposed.has_landing = false;
+    exposed.trials += exposed.sets.front().has_landing;
+    for (RockSet& set : exposed.sets) close_trial(exposed.plan, set);
   }
+}
+
+void ExposureTally::close_trial(const ExposurePlan& plan, RockSet& set) {
+  if (!set.has_landing) return;
+  set.place.add(-std::expm1(set.log_missed), -std::expm1(set.weighted_log_missed));
+  set.log_missed = set.weighted_log_missed = 0;
+  set.has_landing = false;
+  if (set.stones.empty()) return;
+  for (std::vector<StoneOnRoad>* stones : {&set.stones, &set.weighted_stones})
+    std::stable_sort(stones->begin(), stones->end(),
+                     [](const StoneOnRoad& a, const StoneOnRoad& b) { return a.at < b.at; });
+  const VehicleHits hits = vehicle_hits(set.stones, plan.length, plan.vehicles_per_metre()),
+                    real = set.weights.any()
+                               ? vehicle_hits(set.weighted_stones, plan.length, plan.vehicles_per_metre())
+                               : hits;
+  set.vehicle.add(hits.chance, real.chance);
+  set.covered += hits.covered;
+  if (set.weights.any()) set.road.front().add(set.stones);
+  set.stones.clear();
+  set.weighted_stones.clear();
 }
 
 bool ExposureTally::needs_another_pass() {
@@ -185,6 +176,52 @@ bool ExposureTally::needs_another_pass() {
   return false;
 }
 
+SimulatedBlasts ExposureTally::Hits::blasts(std::uint64_t trials, const WeightRange& weights,
+                                            const WeightRange& near) const {
+  const auto interval = [&](const Chances& chances) {
+    return rare_interval(chances.sum, chances.squares, chances.greatest, trials, stated_confidence);
+  };
+  const auto n = static_cast<double>(trials);
+  return {simulated.sum / n, interval(simulated), weighted.sum / n, interval(weighted), weights, near};
+}
+
+/// With weights a vehicle that several real rocks hit is one: U is also at most 1 - exp(-rho integral of
+/// U(s)), with U(s) = 1 - (1 - S(s))^w at each place of the road. Its upper end is that of S(s) as many times
+/// as great as the upper end of S.
+BlastBounds ExposureTally::vehicle_bounds(const ExposurePlan& plan, const RockSet& set,
+                                          std::uint64_t trials) {
+  const SimulatedBlasts blasts = set.vehicle.blasts(trials, set.weights, set.near);
+  BlastBounds bounds = bounds_of(blasts);
+  if (!(bounds.weight > 1) || !(blasts.share > 0)) return bounds;
+  const auto hit = [&](double factor) {
+    return -std::expm1(-plan.vehicles_per_metre() *
+                       set.road.front().covered(trials, factor, set.weights.greatest()));
+  };
+  bounds.upper = std::min(bounds.upper, hit(1));
+  bounds.interval.upper = std::min(bounds.interval.upper, hit(blasts.share_interval.upper / blasts.share));
+  return bounds;
+}
+
+void ExposureTally::put_bounds(const Exposed& exposed, std::uint64_t trials, ExposureSummary& summary) {
+  const ExposurePlan& plan = exposed.plan;
+  const RockSet& all = exposed.sets.front();
+  std::vector<BlastBounds> places, vehicles;
+  for (const RockSet& set : exposed.sets) {
+    places.push_back(bounds_of(set.place.blasts(trials, set.weights, set.near)));
+    if (plan.has_traffic()) vehicles.push_back(vehicle_bounds(plan, set, trials));
+  }
+  const auto of_all = [&](const std::vector<BlastBounds>& bounds) {
+    return all.weights.differ() ? over_groups(bounds.front(), std::span(bounds).subspan(1)) : bounds.front();
+  };
+  summary.per_blast = of_all(places);
+  if (!plan.has_traffic()) return;
+  summary.road_hit = summary.per_blast.upper;
+  summary.per_blast = of_all(vehicles);
+  const double covered = all.weights.any() ? all.road.front().covered(trials, 1, all.weights.greatest())
+                                           : all.covered / static_cast<double>(trials);
+  summary.expected_vehicles = plan.vehicles_per_metre() * covered;
+}
+
 std::vector<ExposureSummary> ExposureTally::summaries(std::uint64_t trials) const {
   std::vector<ExposureSummary> list;
   for (const Exposed& exposed : exposed_) {
@@ -195,14 +232,14 @@ std::vector<ExposureSummary> ExposureTally::summaries(std::uint64_t trials) cons
     summary.landings = exposed.landings;
     summary.trials = exposed.trials;
     summary.hits_per_m2 = exposed.density / static_cast<double>(trials);
-    summary.per_blast = exposed.sum / static_cast<double>(trials);
-    summary.interval =
-        rare_interval(exposed.sum, exposed.squares, exposed.greatest, trials, stated_confidence);
+    put_bounds(exposed, trials, summary);
+    const double present = plan.has_traffic() ? 1 : plan.occupied;
     const auto per_year = [&](double p) {
-      return -std::expm1(plan.blasts_per_year * std::log1p(-p * plan.occupied));
+      return -std::expm1(plan.blasts_per_year * std::log1p(-p * present));
     };
-    summary.per_year = per_year(summary.per_blast);
-    summary.per_year_interval = {per_year(summary.interval.lower), per_year(summary.interval.upper)};
+    summary.per_year = per_year(summary.per_blast.upper);
+    summary.per_year_interval = {per_year(summary.per_blast.interval.lower),
+                                 per_year(summary.per_blast.interval.upper)};
   }
   return list;
 }

@@ -5,18 +5,22 @@
 // about it, with Epanechnikov's kernel K(s) = 2 / (pi R^2) (1 - s^2 / R^2). A rock then hits the area A at
 // the distance s with the probability q = A K(s); on a line, A times the mean of K along it. In 2D a rock
 // lands at the distance x from its release, somewhere on an arc of `spread` about it: q = A K1(s) / (spread
-// x), with K1(s) = 3 / (4 R) (1 - s^2 / R^2). A trial hits with P = 1 - prod (1 - q_i)^w_i over its rocks,
-// w_i their weights, and a blast with the mean of P over the trials.
+// x), with K1(s) = 3 / (4 R) (1 - s^2 / R^2). A blast hits with the mean over the trials of 1 - prod (1 -
+// q_i) over their rocks; with weights between the bounds of results/blast_bounds.h, with h_i = q_i. Of a road
+// with traffic, a blast hits a vehicle with the mean over the trials of the probability of
+// results/traffic.h.
 //
 // R is chosen as the distance of the 100th nearest landing, at most a tenth of the way from the mean release:
 // the kernel then blurs a density that falls off over a third of the way by 1 % (R^2 / 12 times its
 // Laplacian).
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "record/records.h"
-#include "results/sample.h"
+#include "results/blast_bounds.h"
+#include "results/traffic.h"
 #include "results/unknown.h"
 #include "scenario/scenario.h"
 
@@ -26,12 +30,13 @@ struct ExposureSummary {
   double radius = unknown;       ///< m
   std::uint64_t landings = 0;    ///< within the radius, with the energy that counts
   std::uint64_t trials = 0;      ///< with such a landing
-  double hits_per_m2 = unknown;  ///< mean over the trials
-  /// That at least one rock of a blast hits, if someone is always there, with the interval of
-  /// rare_interval().
-  double per_blast = unknown;
-  Interval interval{unknown, unknown};
-  /// 1 - (1 - per_blast x occupied)^blasts_per_year
+  double hits_per_m2 = unknown;  ///< mean over the trials; of a line anywhere on it
+  /// That at least one rock of a blast hits (`upper`, with the interval of rare_interval()): if someone is
+  /// always there; with traffic a vehicle.
+  BlastBounds per_blast{unknown, unknown, {unknown, unknown}, 1};
+  double road_hit = unknown;           ///< with traffic: that a rock lands on the strip of the vehicles
+  double expected_vehicles = unknown;  ///< with traffic: the mean number of vehicles that a blast hits
+  /// 1 - (1 - per_blast x occupied)^blasts_per_year; with traffic without `occupied`
   double per_year = unknown;
   Interval per_year_interval{unknown, unknown};
 };
@@ -52,29 +57,47 @@ class ExposureTally {
   std::vector<ExposureSummary> summaries(std::uint64_t trials) const;
 
  private:
+  /// Sums of a probability over trials.
+  struct Chances {
+    double sum = 0, squares = 0;
+    double greatest = 0;  ///< of a trial, or of the greatest event: a rock in the middle of the kernel
+    void add(double chance);
+  };
+  /// Of the simulated rocks, and with the weights of the rocks: 1 - prod (1 - q)^w.
+  struct Hits {
+    Chances simulated, weighted;
+    void add(double of_simulated, double of_weighted);
+    SimulatedBlasts blasts(std::uint64_t trials, const WeightRange& weights, const WeightRange& near) const;
+  };
+  /// Some rocks: all of them, or those of a group.
+  struct RockSet {
+    WeightRange weights, near;           ///< of all that landed, and of those near enough to hit
+    Hits place, vehicle;                 ///< of the place or the road, and of traffic
+    double covered = 0;                  ///< m, sum of VehicleHits::covered
+    std::vector<CoveredRoad> road = {};  ///< with traffic: one, else none
+    // Of the open trial:
+    double log_missed = 0, weighted_log_missed = 0;  ///< sums of ln(1 - q) and of w ln(1 - q)
+    bool has_landing = false;
+    std::vector<StoneOnRoad> stones = {}, weighted_stones = {};
+  };
   struct Exposed {
     ExposurePlan plan;
     double radius = 0;                 ///< m; 0: not known yet
     std::vector<double> nearest = {};  ///< m, a heap of the distances of the nearest landings
     std::uint64_t landings = 0, trials = 0;
-    double density = 0;           ///< sum of w q / A
-    double log_missed = 0;        ///< of the open trial: sum of w ln(1 - q)
-    bool has_landing = false;     ///< the open trial
-    double sum = 0, squares = 0;  ///< of P over trials
-    double greatest = 0;          ///< P, or that of the heaviest rock in the middle of the kernel
+    double density = 0;              ///< sum of w q / A
+    std::vector<RockSet> sets = {};  ///< all rocks, then each group if there are several
   };
 
-  /// From a place in plan [m].
-  double distance(const ExposurePlan& plan, const Vec2& place) const;
-  /// q over the kernel: A, on a line A over its length [m], in 2D A over the arc at the distance `way` [m].
-  double part_of_area(const ExposurePlan& plan, double way) const;
-  /// K, its integral along the line, or K1.
-  double kernel_at(const Exposed& exposed, const Vec2& landing) const;
-  double kernel_peak(const Exposed& exposed) const;
   void search(const RockRecord& rock);
   void count(const RockRecord& rock);
+  static void count(RockSet& set, const RockRecord& rock, double chance,
+                    const std::optional<StoneOnRoad>& on_road);
   void close_trial();
+  static void close_trial(const ExposurePlan& plan, RockSet& set);
   void choose_radii();
+  static BlastBounds vehicle_bounds(const ExposurePlan& plan, const RockSet& set, std::uint64_t trials);
+  static void put_bounds(const Exposed& exposed, std::uint64_t trials, ExposureSummary& summary);
 
   int dimension_;
   std::vector<Exposed> exposed_;

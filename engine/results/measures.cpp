@@ -77,9 +77,10 @@ Measure::Measure(const std::string& name, const Scenario& scenario) : dimension_
   }
 }
 
-/// "passed", "caught", "per_trial": a field, and of what it is a share.
+/// "passed", "caught": a field, and "per_trial", "of_arriving": of what it is a share.
 void Measure::read_share(const std::vector<std::string>& words) {
   field_ = words[2];
+  if (field_ == "per_trial") sense_ = &Shares::per_trial;
   if (words.size() > 3) sense_ = words[3] == "per_trial" ? &Shares::per_trial : &Shares::of_arriving;
 }
 
@@ -181,7 +182,7 @@ Interval Measure::interval(const PointResult& result) const {
       if (field_ == "distance") return result.clearances.at(index_).interval;
       break;
     case Kind::exposure:
-      if (field_ == "per_blast") return result.exposures.at(index_).interval;
+      if (field_ == "per_blast") return result.exposures.at(index_).per_blast.interval;
       if (field_ == "per_year") return result.exposures.at(index_).per_year_interval;
       break;
     default:
@@ -243,7 +244,7 @@ Measured Measure::clearance_value(const ClearanceSummary& clearance, const std::
 }
 
 Measured Measure::exposure_value(const ExposureSummary& exposure, const std::string& field) {
-  const std::array<double, exposure_fields.size()> values = {exposure.per_blast, exposure.per_year,
+  const std::array<double, exposure_fields.size()> values = {exposure.per_blast.upper, exposure.per_year,
                                                              exposure.hits_per_m2};
   const double value = values[index_of(field, exposure_fields)];
   return {value, false, std::isnan(value) ? "no rock landed" : ""};

@@ -53,6 +53,8 @@ struct Questions {
 class Sample {
  public:
   explicit Sample(Questions questions = {}) : questions_(std::move(questions)) {}
+  /// Other questions, before the first pass ends.
+  void ask(Questions questions) { questions_ = std::move(questions); }
 
   /// Adds a number of a trial. Every pass needs the same order, because sums depend on it; the numbers of a
   /// trial follow each other.

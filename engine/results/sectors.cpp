@@ -149,11 +149,12 @@ bool SectorTally::needs_another_pass(std::optional<double> design_effect) {
 void SectorTally::choose_sectors(double design_effect) {
   if (!plan_.per_blast) design_effect_ = design_effect;
   effective_ = static_cast<double>(plan_.per_blast ? trials_ : rocks_) / design_effect_;
+  const double probability = plan_.simulated_probability(weights_.greatest());
   int count = plan_.sectors;
-  beyond_ = rocks_beyond(count, effective_, plan_.probability);
+  beyond_ = rocks_beyond(count, effective_, probability);
   while (!beyond_ && count > 1) {
     count /= 2;
-    beyond_ = rocks_beyond(count, effective_, plan_.probability);
+    beyond_ = rocks_beyond(count, effective_, probability);
   }
   if (!beyond_) count = plan_.sectors;  // no area, but the farthest rock of each sector
   sectors_.resize(static_cast<std::size_t>(count));

@@ -60,20 +60,12 @@ void ShareTally::add(std::uint64_t trial, double weight) {
   in_trial_.add(weight);
 }
 
-void ShareTally::Chances::add(const Weighed& rocks) {
-  const double chance = rocks.count > 0 ? -std::expm1(-rocks.weight) : 0;
-  sum += chance;
-  squares += chance * chance;
-}
-
 void ShareTally::close() {
   if (in_trial_.count > 0) {
     rocks_ += in_trial_.count;
     for (Sums& share : shares_) {
       share.counts.add(in_trial_, share.counted);
       share.or_open.add(in_trial_, share.or_open_now);
-      share.chances.add(share.counted);
-      share.chances_or_open.add(share.or_open_now);
       share.counted = share.or_open_now = {};
     }
     in_trial_ = {};
@@ -85,34 +77,10 @@ void ShareTally::close() {
   }
 }
 
-Share ShareTally::per_trial(std::size_t share) const {
+Share ShareTally::per_trial(std::size_t share, std::uint64_t trials) const {
   const Sums& sums = shares_[share];
-  if (weights_.any() || use_chances_) return of_chances(sums);
   const std::uint64_t with = sums.counts.trials_with();
-  return share_of(with, sums.counts.trials(), sums.or_open.trials_with() - with);
-}
-
-/// The mean of the chances of trials. Its interval is that of Clopper and Pearson for as many trials with or
-/// without such a rock as have its variance, and at least as many as there are trials: a chance varies less
-/// than what it is the chance of.
-Share ShareTally::of_chances(const Sums& sums) const {
-  const std::uint64_t trials = sums.counts.trials();
-  const auto m = static_cast<double>(trials);
-  const auto interval_of = [&](const Chances& chances) {
-    const double p = chances.sum / m;
-    const double variance = (chances.squares / m - p * p) / (m - 1);
-    const double size = variance > 0 ? std::max(m, p * (1 - p) / variance) : m;
-    return share_interval(p * size, size, stated_confidence);
-  };
-  Share share{{trials > 0 ? sums.chances.sum / m : unknown, sums.or_open.counted() > sums.counts.counted()},
-              {unknown, unknown}};
-  if (trials == 0) return share;
-  if (sums.counts.counted() > 0)
-    share.interval.trials_needed = trials_needed(static_cast<double>(sums.counts.trials_with()), trials);
-  if (share.interval.trials_needed > 0) return share;
-  share.interval.lower = interval_of(sums.chances).lower;
-  share.interval.upper = interval_of(sums.chances_or_open).upper;
-  return share;
+  return share_of(with, trials, sums.or_open.trials_with() - with);
 }
 
 Complement complement_of(const Share& share) {

@@ -38,6 +38,7 @@ class ShareTally {
   void add(std::uint64_t trial, double weight = 1);
   /// It counts for a share.
   void count(std::size_t share = 0) {
+    shares_[share].weights.add(weight_);
     shares_[share].counted.add(weight_);
     shares_[share].or_open_now.add(weight_);
   }
@@ -50,10 +51,9 @@ class ShareTally {
   /// After the last rock.
   void close();
 
-  /// Whether a rock stands for more or less than itself.
-  bool has_weights() const { return weights_.any(); }
-  /// Other rocks of the run have weights: those of weight 1 then stand for one real rock on the mean.
-  void use_chances() { use_chances_ = true; }
+  /// Of all rocks, and of those that count.
+  const WeightRange& weights() const { return weights_; }
+  const WeightRange& weights(std::size_t share) const { return shares_[share].weights; }
 
   std::uint64_t rocks() const { return rocks_; }
   std::uint64_t counted(std::size_t share = 0) const { return shares_[share].counts.counted(); }
@@ -64,28 +64,21 @@ class ShareTally {
   Share of_rocks(std::size_t share = 0) const {
     return share_of(shares_[share].counts, shares_[share].or_open);
   }
-  /// Of the trials that have a rock: those in which at least one counts. With weights the mean over them of
-  /// the probability that at least one real rock does, 1 - exp(-sum of the weights of those that count): real
-  /// rocks that come independently of each other, in this number on the mean.
-  Share per_trial(std::size_t share = 0) const;
+  std::uint64_t trials() const { return shares_.front().counts.trials(); }  ///< with a rock
+  /// Of `trials`, by default those that have a rock: those in which at least one counts, whatever its weight.
+  Share per_trial(std::size_t share, std::uint64_t trials) const;
+  Share per_trial(std::size_t share = 0) const { return per_trial(share, trials()); }
 
  private:
-  /// Over the trials: sums of a probability and of its square.
-  struct Chances {
-    double sum = 0, squares = 0;
-    void add(const Weighed& rocks);
-  };
   struct Sums {
     TrialCounts counts, or_open;
-    Chances chances, chances_or_open;
+    WeightRange weights;           ///< of those that count
     Weighed counted, or_open_now;  ///< of the open trial
   };
-  Share of_chances(const Sums& share) const;
 
   std::vector<Sums> shares_;
   std::uint64_t rocks_ = 0;
   WeightRange weights_;
-  bool use_chances_ = false;
   double weight_ = 1;        ///< of the rock
   std::uint64_t trial_ = 0;  ///< the open trial
   Weighed in_trial_;         ///< its rocks

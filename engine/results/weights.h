@@ -20,9 +20,9 @@ inline bool has_weights(const Plan& plan, const Results& results) {
 
 inline constexpr const char* meaning_of_weights =
     "Rocks have weights, the number of real rocks that each stands for: numbers over several groups are "
-    "weighted, and the share of trials with at least one rock is the mean of 1 - exp(-sum of the weights of "
-    "the "
-    "rocks that do it).";
+    "weighted. The rocks of a blast share its draws, so the probability that at least one real rock does "
+    "something is known between bounds; the upper one is given, and both where they lie apart by more than "
+    "a factor of 1.2.";
 
 /// The groups that tables show, by their places in PointResult::groups: without weights each of several
 /// groups, else all rocks too.

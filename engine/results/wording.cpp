@@ -10,6 +10,8 @@ namespace flyrock {
 
 namespace {
 
+std::string hundredths(double share) { return fmt::format("{:.3g}", 100 * share); }
+
 /// "95 % interval 210 to 226 m": the ends as numbers by `digits`, then their unit.
 template <class Digits>
 std::string interval_text(const Interval& interval, double confidence, const char* unit, Digits digits) {
@@ -44,8 +46,20 @@ std::string with_interval(const Bounded& number, const Interval& interval, doubl
 std::string display(const Share& share) {
   if (std::isnan(share.value)) return "-";
   return fmt::format("{}{} ({})", share.censored ? ">= " : "", percent(share.value),
-                     interval_text(share.interval, stated_confidence, " %",
-                                   [](double end) { return fmt::format("{:.3g}", 100 * end); }));
+                     interval_text(share.interval, stated_confidence, " %", hundredths));
+}
+
+std::string telling_text(const BlastBounds& bounds) {
+  return fmt::format("weight {:g}{} would tell", telling_weight(bounds), bounds.weight > 1 ? " or less" : "");
+}
+
+std::string display_per_trial(const Shares& shares) {
+  const BlastBounds& bounds = shares.blast;
+  if (bounds.tells()) return display(shares.per_trial);
+  return fmt::format("{}between {} and {} ({}; {})", shares.per_trial.censored ? ">= " : "",
+                     hundredths(bounds.lower), percent(bounds.upper),
+                     interval_text(bounds.interval, stated_confidence, " %", hundredths),
+                     telling_text(bounds));
 }
 
 namespace {

@@ -24,6 +24,12 @@ std::string with_interval(const Bounded& number, const Interval& interval, doubl
 /// "12.3 % (95 % interval 10.1 to 14.8 %)", ">= 0 % (95 % interval up to 0.369 %)", "-" for 0 of 0.
 std::string display(const Share& share);
 
+/// "weight 1.2 or less would tell"
+std::string telling_text(const BlastBounds& bounds);
+/// The share of blasts in which at least one real rock does something: as display(), or, where its bounds do
+/// not tell it, "between 3.25 and 96.3 % (95 % interval 2.7 to 97.6 %; weight 1.2 or less would tell)".
+std::string display_per_trial(const Shares& shares);
+
 /// "materials.rock.friction.mu = 0.2": a point of a sweep by its values.
 std::string point_text(const Plan& plan, std::size_t point);
 /// "mu 0.2": the same within a sentence.

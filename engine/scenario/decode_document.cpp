@@ -53,7 +53,6 @@ class DocumentDecoder {
       std::vector<std::string> groups;
       for (const RockGroup& group : scenario_.rocks) groups.push_back(group.name);
       scenario_.clearances = decode_clearances(context_, *clearances, groups);
-      check_clearances_per_blast(*clearances);
     }
     if (const auto exposures = root_.find("exposure")) {
       scenario_.exposures = decode_exposures(context_, *exposures, terrain.profile);
@@ -166,31 +165,13 @@ class DocumentDecoder {
     }
   }
 
-  /// The farthest rock of a blast depends on how many it has.
-  void check_clearances_per_blast(const Node& clearances) {
-    const std::vector<Node> items = clearances.items();
-    for (std::size_t c = 0; c < scenario_.clearances.size() && c < items.size(); ++c) {
-      const ClearancePlan& clearance = scenario_.clearances[c];
-      for (std::size_t g = 0; g < scenario_.rocks.size() && clearance.per_blast; ++g) {
-        if (!clearance.counts(static_cast<int>(g)) || !scenario_.rocks[g].weight) continue;
-        items[c].find("per").value_or(items[c]).error(
-            context_.diagnostics, fmt::format("{}: `rocks.{}` has a weight", weighted_blast, g));
-        break;
-      }
-    }
-  }
-
-  /// What hits is told by where rocks first land, rock by rock.
+  /// What hits is told by where rocks first land.
   void check_exposures(const Node& exposures) {
     if (!root_.find("rocks")) exposures.error(context_.diagnostics, "needs `rocks`, the scenario has none");
     if (scenario_.method != Method::ballistic)
       exposures.error(context_.diagnostics,
                       "needs `method: ballistic`: who is hit is told by where rocks first land. Where rocks "
                       "bounce, a gate tells how many pass (`gate.NAME.passed.per_trial`)");
-    const auto output = root_.find("output");
-    if (const auto rocks = output ? output->find("rocks") : std::nullopt;
-        rocks && rocks->value->boolean() && !*rocks->value->boolean())
-      rocks->error(context_.diagnostics, "`exposure` needs the row of each rock");
   }
 
   /// The draws `per: run` of each run of `outer`, and what its numbers need.

@@ -174,6 +174,7 @@ std::vector<ExposurePlan> decode_exposures(DecodeContext& context, const Node& n
     plan.blasts_per_year = section.constant("blasts_per_year");
     plan.energy = section.constant("energy");
     plan.occupied = decode_occupied(context, item, section);
+    plan.is_stream = section.given("vehicles_per_hour");
     read_exposed_place(context, item, section, profile, plan);
     return plan;
   });

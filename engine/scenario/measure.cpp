@@ -79,6 +79,8 @@ const Table gate_quantities{{"passed", dimension::none},
                             {"mean_energy", dimension::energy},
                             {"p95_energy", dimension::energy},
                             {"p95_height", dimension::length}};
+/// `passed.per_trial` by its short name.
+const Named passed_per_trial{"per_trial", dimension::none};
 const Table barrier_quantities{{"reached", dimension::none},
                                {"caught", dimension::none},
                                {"over_top", dimension::none},
@@ -108,7 +110,9 @@ class MeasureParser {
     if (kind == "contact") parse_contact();
     if (kind == "rocks") parse_rocks();
     if (kind == "gate") {
-      parse_named("gates", names_.gates, gate_quantities);
+      Table quantities = gate_quantities;
+      quantities.push_back(passed_per_trial);
+      parse_named("gates", names_.gates, quantities);
       if (steps_.size() > 3 && steps_[2] == "passed") next({"per_trial"});
     }
     if (kind == "barrier") {

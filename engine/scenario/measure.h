@@ -35,7 +35,7 @@ struct MeasureInfo {
 ///   contact.<a>.<b>.gap|un|ut|rn|rt.mean|max|min|final|at[time], a and b bodies, b also `terrain`,
 ///   energy.total.relative_change, solver.<quantity>,
 ///   rocks[.<group>].<quantity>.<statistic>, rocks[.<group>].count|censored,
-///   gate.<name>.passed[.per_trial]|mean_energy|p95_energy|p95_height,
+///   gate.<name>.passed[.per_trial]|per_trial|mean_energy|p95_energy|p95_height,
 ///   barrier.<name>.reached|caught|over_top|over_energy|past[.of_arriving|.per_trial],
 ///   trees.hit|stopped|hits,
 ///   clearance.<name>.distance|lower|upper|with_factor,

@@ -283,6 +283,11 @@ struct ClearancePlan {
       {};  ///< m: origin of distances and azimuths; absent: distances from the hull of all release places
 
   bool counts(int rock_group) const { return group < 0 || group == rock_group; }
+  /// The share of simulated blasts that may go farther, where a rock stands for up to `weight` real ones: 1 -
+  /// (1 - p)^(1/w) per blast, so that at most p of the real ones do (results/blast_bounds.h); else p.
+  double simulated_probability(double weight) const {
+    return per_blast && weight > 1 ? -std::expm1(std::log1p(-probability) / weight) : probability;
+  }
 };
 
 /// People, a vehicle or a building that rocks may hit: at a place, or 3D somewhere along a line in plan.
@@ -294,9 +299,14 @@ struct ExposurePlan {
   double spread = 0;       ///< rad, 2D: the directions in plan over which rocks are thrown evenly
   double radius = 0;       ///< m, of the kernel; 0: chosen from the landings (results/exposure.h)
   double length = 0;       ///< m, of a vehicle; 0: none is given
-  double occupied = 1;     ///< part of the time in which someone is there
+  double occupied = 1;     ///< part of the time in which someone is there, on a line in each of its lengths
+  bool is_stream = false;  ///< of vehicles, by `vehicles_per_hour`
   double blasts_per_year = 1;
   double energy = 0;  ///< J, of the landings that count
+
+  /// A stream of vehicles on a line.
+  bool has_traffic() const { return is_stream && !line.empty(); }
+  double vehicles_per_metre() const { return occupied / length; }
 
   /// The least radius of the kernel [m]: under a smaller one, a rock hits the area more than once.
   double least_radius() const { return std::sqrt(2 * area / pi); }
@@ -444,12 +454,6 @@ struct Scenario {
                        [](const RockGroup& group) { return group.weight.has_value(); });
   }
 };
-
-/// Why a clearance per blast cannot have weights.
-inline constexpr const char* weighted_blast =
-    "`per: blast` counts the rocks of a blast as they are and cannot have weights; use `per: rock`, or as "
-    "many "
-    "rocks as the blast has";
 
 /// What RockRecord::branch counts: "regular", then the branches.
 inline std::vector<std::string> branch_names(const Scenario& scenario) {

@@ -235,9 +235,6 @@ void TrialBuilder<D>::check_weights(int group, const std::vector<RockPlan<D>>& p
   const std::string& path = scenario_.rocks[static_cast<std::size_t>(group)].population.path;
   if (!std::all_of(plans.begin(), plans.end(), has))
     throw ScenarioError(path, "its population answers `weight` for some rocks, expected for all or for none");
-  for (const ClearancePlan& clearance : scenario_.clearances)
-    if (clearance.per_blast && clearance.counts(group))
-      throw ScenarioError(path, fmt::format("{}: clearance `{}`", weighted_blast, clearance.name));
 }
 
 template <int D>

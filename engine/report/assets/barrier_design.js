@@ -15,7 +15,7 @@ const least_trials = 10;
 /** What gets past barrier b at a point, in a sense. */
 const past_at = (point, b, sense) => of_group(point.barriers[b]).shares.past[sense];
 /** Whether enough trials have a rock that arrives there. */
-const is_tried = (point, b) => (of_group(point.barriers[b]).shares.reached.per_trial.share ?? 0) * point.trials > least_trials - 0.5;
+const is_tried = (point, b) => (of_group(point.barriers[b]).shares.reached.per_trial.lower ?? 0) * point.trials > least_trials - 0.5;
 const holds = (point, b, held, sense) => is_tried(point, b) && past_at(point, b, sense).interval[1] !== null && past_at(point, b, sense).interval[1] <= 1 - held;
 
 /** { key, points } for each combination of values of `axes`. */

@@ -16,7 +16,7 @@ function crossings_section() {
   const number = (place, quantity, name) => right(place[quantity][name] === null ? "–" : show(place[quantity][name] / (quantity === "energy" ? 1000 : 1)));
   const missed = (b) => right(b.not_reached === null ? "–" : `${b.lower_bounds ? "≤ " : ""}${with_interval(b.not_reached, b.share_intervals.not_reached)}`);
   const of_all = (place, what) => right(share_text(place.shares[what].of_all)), arriving = (place, what) => right(share_text(place.shares[what].of_arriving));
-  const per_trial = (place, what) => right(share_text(place.shares[what].per_trial));
+  const per_trial = (place, what) => right(bounds_text(place.shares[what].per_trial));
   section_of_point("Gates and barriers", (point) => [
     paragraph("note", `Shown: ${shown_text()}.`),
     point.gates.length === 0 ? "" : table("Gates: rocks at their first arrival",
@@ -51,6 +51,7 @@ function clearance_section() {
         return [c.clearance, c.group ?? "all groups", `${percent(c.probability)} of ${c.count} ${one}`, of, bound(c.distance),
           c.area ? "none of an area" : percent(c.confidence), c.lower, c.upper, c.factor === null ? "none" : right(show(c.factor)), bound(c.with_factor)];
       })),
+    ...point.clearance.filter((c) => c.upper_bound).map((c) => paragraph("", `${c.clearance} is an upper bound: a rock stands for ${show(c.weight)} real ones, so the distance is that which 1 - (1 - p)^(1/${show(c.weight)}) of the simulated blasts exceed.`)),
     ...point.clearance.filter((c) => c.customary || c.known_throw).map((c) => paragraph("", `Beside ${c.clearance}: ` +
       [c.customary ? `the legal or customary distance is ${show(c.customary)} m` : "", c.known_throw ? `1.5 times the farthest known throw of ${show(c.known_throw)} m is ${show(c.beyond_known_throw)} m` : ""].filter(Boolean).join("; ") + ".")),
     caption("The share of rocks, or of blasts by their farthest rock, that goes beyond the distance in this model. A factor is yours, and is applied once, to the distance.",
@@ -63,14 +64,18 @@ function exposure_section() {
   if (!summary.points[0].exposure) return;
   const interval = ([low, high]) => right(low === null ? "–" : `${in_percent(low)} to ${in_percent(high)}`);
   const place = (e) => ({ text: e.line ? "a line" : [e.at].flat().map(show).join(", "), cls: "whole" });
+  const hit = ({ per_blast: p }) => (p.share === null ? "–" : p.share === 0 ? `below ${percent(p.interval[1])}` : between(p));
+  const roads = (point) => point.exposure.filter((e) => "vehicle_hit" in e && e.vehicle_hit !== null);
   section_of_point("Exposure", (point) => [
     table("Probability that at least one rock hits, if someone is there, and in a year",
       ["who or what", "at m", "area m2", "occupied", "landings near it", "within m", "hits per m2", "a blast hits", "95 %", "blasts a year", "in a year", "95 %"],
       point.exposure.map((e) => [e.exposure, place(e), e.area_m2, right(percent(e.occupied)), e.landings, e.radius_m, e.hits_per_m2,
-        right(e.per_blast === null ? "–" : e.landings === 0 ? `below ${percent(e.interval[1])}` : percent(e.per_blast)), interval(e.interval), e.blasts_per_year,
-        right(e.per_year === null ? "–" : e.landings === 0 ? `below ${percent(e.per_year_interval[1])}` : percent(e.per_year)), interval(e.per_year_interval)])),
+        right(hit(e)), interval(e.per_blast.interval), e.blasts_per_year,
+        right(e.per_year === null ? "–" : e.per_blast.share === 0 ? `below ${percent(e.per_year_interval[1])}` : percent(e.per_year)), interval(e.per_year_interval)])),
+    roads(point).length === 0 ? "" : table("Roads with traffic: a stream of vehicles that come independently of each other", ["road", "a blast hits a vehicle", "95 %", "vehicles hit by a blast", "a rock lands on the road"],
+      roads(point).map((e) => [e.exposure, right(hit(e)), interval(e.vehicle_hit_interval), e.expected_vehicles, right(percent(e.road_hit))])),
     caption("Landings near it are spread over a disc (Epanechnikov's kernel), because so small an area is hit in none of a few thousand blasts. The interval holds the scatter between blasts, not the error of the model.",
-      "In a year: 1 - (1 - p occupied)^blasts. Where no rock landed within the radius, the bound of three landings in all blasts of the run."),
+      "In a year: 1 - (1 - p occupied)^blasts; of traffic 1 - (1 - p)^blasts, with p that a vehicle is hit. Where no rock landed within the radius, the bound of three landings in all blasts of the run."),
   ]);
 }
 

@@ -3,6 +3,7 @@
 #include "results/clearance.h"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "geometry/plan_hull.h"
 #include "random/stream.h"
@@ -192,6 +193,36 @@ TEST_CASE("the distances of sectors count from the hull of all release places, a
   CHECK(found[1].count == 441);
   CHECK(found[1].area.sectors[1].count == 0);
   CHECK(std::isnan(found[1].area.sectors[1].greatest.value));
+}
+
+TEST_CASE("a clearance per blast with weights is exceeded by 1 - (1 - p)^(1/w) of the simulated blasts") {
+  const std::uint64_t trials = 500;
+  ClearancePlan plan{.name = "people", .probability = 0.1, .per_blast = true};
+  const auto found = [&](double weight) {
+    TrialRecords records;
+    for (std::uint64_t trial = 0; trial < trials; ++trial)
+      for (int i = 0; i < 2; ++i) {
+        RockRecord& rock = records.rocks.emplace_back();
+        rock.trial = trial;
+        rock.rock = i;
+        rock.reason = StopReason::stopped;
+        rock.weight = weight;
+        rock.runout = i == 0 ? static_cast<double>(trial) : 0;  // the farthest of the blasts: 0 to 499 m
+      }
+    ClearanceTally tally({plan});
+    do tally.add(records);
+    while (tally.needs_another_pass());
+    return tally.summaries().front();
+  };
+  const ClearanceSummary one = found(1), four = found(4), many = found(100);
+  CHECK(one.distance.value == Approx(499 * 0.9));
+  CHECK_FALSE(one.is_upper_bound(plan));
+  const double beyond = 1 - std::pow(0.9, 0.25);
+  CHECK(four.distance.value == Approx(499 * (1 - beyond)));
+  CHECK(four.needed == static_cast<std::uint64_t>(std::ceil(10 / beyond)));
+  CHECK(four.is_upper_bound(plan));
+  CHECK(four.rocks_per_blast() == 8);
+  CHECK_FALSE(many.enough());
 }
 
 TEST_CASE("a clearance of a group is of its rocks alone, also per blast, and counts the rocks of a blast") {

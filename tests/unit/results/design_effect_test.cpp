@@ -234,19 +234,6 @@ TEST_CASE("Rocks of unequal weights say as much as Kish's number of equal ones")
   CHECK(share.interval.design_effect == Approx(1.25).epsilon(1e-3));
 }
 
-TEST_CASE("With weights the probability per trial is that of at least one of the real rocks") {
-  ShareTally tally;
-  for (std::uint64_t t = 0; t < 100; ++t)
-    for (int i = 0; i < 3; ++i) {
-      tally.add(t, 0.5);
-      if (i < 2) tally.count();
-    }
-  tally.close();
-  CHECK(tally.per_trial().value == Approx(1 - std::exp(-1.0)).epsilon(1e-12));
-  CHECK(tally.per_trial().interval.lower < 1 - std::exp(-1.0));
-  CHECK(tally.per_trial().interval.upper > 1 - std::exp(-1.0));
-}
-
 TEST_CASE("Intervals of weighted samples contain the truth in 92 to 99 % of runs", "[slow]") {
   using namespace weighted_samples;
   const double p95 = TwoGroups::quantile(0.95);

@@ -132,7 +132,7 @@ TEST_CASE("clearances and exposures have a number of each run") {
   CHECK(distance->runs == 4);
   CHECK(doubled->p50.value == Approx(2 * distance->p50.value));
   // All runs have as many trials and the same kernel, so that their mean is that of all.
-  CHECK(hit->mean.value == Approx(results.points.front().exposures.front().per_blast));
+  CHECK(hit->mean.value == Approx(results.points.front().exposures.front().per_blast.upper));
   CHECK(hit->min.value < hit->max.value);
 }
 
