@@ -138,15 +138,7 @@ std::string difference_text(const Results& results, std::size_t point, std::size
   if (point == 0 || results.differences.size() < point) return "";
   const PointDifferences& of_point = results.differences[point - 1];
   if (!of_point.reason.empty()) return "";
-  const Difference& difference = of_point.groups.at(group).numbers.at(rock_statistic("runout"));
-  if (std::isnan(difference.mean)) return "";
-  const std::string text =
-      fmt::format("{}{} m", difference.mean > 0 ? "+" : "", three_digits(difference.mean));
-  if (difference.differing == 0) return text + " (no pair differs)";
-  if (difference.interval.trials_needed > 0) return text + " (too few trials that differ)";
-  if (std::isnan(difference.interval.lower)) return text;
-  return fmt::format("{} (95 % interval {} to {} m)", text, three_digits(difference.interval.lower),
-                     three_digits(difference.interval.upper));
+  return flyrock::difference_text(of_point.groups.at(group).numbers.at(rock_statistic("runout")));
 }
 
 /// The differences of a point in the table of all points: a line for each group.
