@@ -12,6 +12,8 @@
 #include "host/share.h"
 #include "plugin/conformance.h"
 #include "results/answer.h"
+#include "results/observation.h"
+#include "results/starts.h"
 
 namespace flyrock::cli {
 
@@ -60,6 +62,9 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
     fmt::print("{}\n", elevations);
   if (const std::string trees = assumed_trees(plan); !trees.empty()) fmt::print("{}\n", trees);
   if (const std::string ground = surveyed_ground(plan); !ground.empty()) fmt::print("{}\n", ground);
+  if (const Scenario& first = plan.points.front(); first.observed)
+    fmt::print("observed: {}\n",
+               measured_text(*first.observed, measured(*first.observed, starts_of(first, tried_trials))));
   const std::uint64_t trials = plan.points.front().trials;
   const std::string each =
       plan.axes.empty() ? "" : fmt::format(" at each of {} sweep points", plan.points.size());
