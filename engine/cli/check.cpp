@@ -57,7 +57,7 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
   if (!loaded) return bad_input;
   const Plan& plan = loaded->plan;
   if (!try_runners(*loaded, tried_trials)) return bad_input;
-  fmt::print("{}", not_used_line(plan.not_used, "`flyrock check --strict` says why"));
+  fmt::print("{}", not_used_list(plan.not_used));
   if (const std::string elevations = assumed_elevations(plan); !elevations.empty())
     fmt::print("{}\n", elevations);
   if (const std::string trees = assumed_trees(plan); !trees.empty()) fmt::print("{}\n", trees);

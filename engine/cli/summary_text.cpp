@@ -245,7 +245,7 @@ std::string summary_text(const Plan& plan, const Results& results, const std::ve
   for (const std::string& warning : results.warnings)
     if (std::find(told.begin(), told.end(), warning) == told.end())
       text += fmt::format("warning: {}\n", warning);
-  return text + not_used_line(plan.not_used, "the report says why");
+  return text + not_used_line(plan.not_used);
 }
 
 std::string trial_text(const Scenario& scenario, const std::vector<RockRecord>& rocks) {

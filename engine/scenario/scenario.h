@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -120,6 +121,8 @@ struct BlastPlan {
   std::optional<Number> time_scatter;
   std::vector<Blast> holes;  ///< measured holes, completed, with the medians of all distributions
   std::vector<BlastDesign> hole_designs;  ///< of each of them
+  std::vector<BlastSources> sources;      ///< of each of them; without measured holes one, of `typical`
+  std::set<BlastField> columns;           ///< fields that a measured hole gives
   std::vector<Location> hole_places;      ///< where each of them is written
   std::vector<std::string> other_heads;   ///< of the table of holes, which are no columns
 
@@ -128,14 +131,6 @@ struct BlastPlan {
   std::map<BlastField, Number> forced;
 
   bool has_holes() const { return !pattern.measured.empty(); }
-  /// Whether a field is given, of measured holes to each of them.
-  bool gives(BlastField field) const {
-    const auto& all = pattern.measured;
-    return fields.contains(field) ||
-           (!all.empty() && std::all_of(all.begin(), all.end(),
-                                        [&](const Hole& hole) { return !std::isnan(hole.own[field]); }));
-  }
-
   /// Whether a field is given or follows from other fields.
   bool provides(BlastField field) const { return !std::isnan(typical[field]); }
 };
