@@ -132,8 +132,7 @@ std::string verdict_line(const Verdict& verdict, bool sweep) {
 
 namespace {
 
-/// "+3.2 m (95 % interval 2.9 to 3.5 m)": the difference of the runout from point 0 of a group; empty
-/// without.
+/// The difference of the runout from point 0 of a group; empty without.
 std::string difference_text(const Results& results, std::size_t point, std::size_t group) {
   if (point == 0 || results.differences.size() < point) return "";
   const PointDifferences& of_point = results.differences[point - 1];

@@ -49,6 +49,7 @@ ClearanceTally::ClearanceTally(const std::vector<ClearancePlan>& plans) : plans_
     samples_.emplace_back(Questions{{p}, {{p, plan.confidence}}});
     rocks_.push_back(0);
     sectors_.emplace_back(plan);
+    least_areas_.emplace_back(plan);
   }
 }
 
@@ -57,6 +58,7 @@ void ClearanceTally::add(const TrialRecords& chunk) {
     const std::uint64_t rocks = add_distances(chunk.rocks, plans_[c], samples_[c]);
     if (!counted_) rocks_[c] += rocks;
     sectors_[c].add(chunk);
+    least_areas_[c].add(chunk);
   }
 }
 
@@ -64,13 +66,15 @@ bool ClearanceTally::needs_another_pass() {
   counted_ = true;
   bool more = false;
   for (std::size_t c = 0; c < plans_.size(); ++c) {
-    std::optional<double> design_effect;
+    const double p = 1 - plans_[c].probability;
+    std::optional<LeastAreaTally::Clearance> found;
     if (samples_[c].needs_another_pass())
       more = true;
     else if (samples_[c].size() > 0)
-      design_effect =
-          samples_[c].quantile_interval(1 - plans_[c].probability, plans_[c].confidence).design_effect;
-    more |= sectors_[c].needs_another_pass(design_effect);
+      found = {samples_[c].quantile(p).value,
+               samples_[c].quantile_interval(p, plans_[c].confidence).design_effect};
+    more |= sectors_[c].needs_another_pass(found ? std::optional(found->design_effect) : std::nullopt);
+    more |= least_areas_[c].needs_another_pass(found);
   }
   return more;
 }
@@ -90,6 +94,7 @@ std::vector<ClearanceSummary> ClearanceTally::summaries() const {
       summary.interval = samples_[c].quantile_interval(1 - plan.probability, plan.confidence);
       if (summary.enough()) summary.distance = samples_[c].quantile(1 - plan.probability);
     }
+    summary.least_area = least_areas_[c].summary();
     if (plan.factor) summary.with_factor = *plan.factor * summary.distance.value;
   }
   return summaries;

@@ -272,6 +272,8 @@ struct ClearancePlan {
   bool per_blast = false;
   bool of_max_distance = false;            ///< use max_distance instead of runout
   int sectors = 0;                         ///< 3D: number of sectors by azimuth; 0: no sectors
+  bool least_area = false;                 ///< 3D: also the area of least size
+  double radius = 0;                       ///< m, of its kernel; 0: chosen (results/least_area.h)
   std::optional<double> customary = {};    ///< m, the legal or customary distance, to stand beside it
   std::optional<double> known_throw = {};  ///< m, the farthest throw that is known of the site
   std::optional<Vec2> about =
