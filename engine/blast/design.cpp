@@ -16,67 +16,68 @@ namespace {
 
 using enum BlastField;
 
-bool given(const Blast& blast, BlastField field) { return !std::isnan(blast[field]); }
+double or_zero(const Blast& blast, BlastField field) { return std::isnan(blast[field]) ? 0 : blast[field]; }
 
-double or_zero(const Blast& blast, BlastField field) { return given(blast, field) ? blast[field] : 0; }
-
-void complete_hole(Blast& blast) {
-  const bool length = given(blast, hole_length), stemming = given(blast, hole_stemming),
-             charge = given(blast, hole_charge_length);
+void complete_hole(BlastWriter& blast) {
+  const bool length = blast.has(hole_length), stemming = blast.has(hole_stemming),
+             charge = blast.has(hole_charge_length);
   if (length + stemming + charge != 2) return;
-  if (!length) blast[hole_length] = blast[hole_stemming] + blast[hole_charge_length];
-  if (!stemming) blast[hole_stemming] = blast[hole_length] - blast[hole_charge_length];
-  if (!charge) blast[hole_charge_length] = blast[hole_length] - blast[hole_stemming];
+  if (!length) blast.put(hole_length, blast.read(hole_stemming) + blast.read(hole_charge_length));
+  if (!stemming) blast.put(hole_stemming, blast.read(hole_length) - blast.read(hole_charge_length));
+  if (!charge) blast.put(hole_charge_length, blast.read(hole_length) - blast.read(hole_stemming));
   if (blast[hole_stemming] < 0 || !(blast[hole_charge_length] > 0))
     throw std::invalid_argument(
         fmt::format("blast.hole: a length of {:.6g} m leaves {:.6g} m of stemming and {:.6g} m of charge",
                     blast[hole_length], blast[hole_stemming], blast[hole_charge_length]));
 }
 
-void complete_burden(Blast& blast) {
-  if (given(blast, burden) || !given(blast, burden_crest) || !given(blast, burden_toe) ||
-      !given(blast, hole_length))
+void complete_burden(BlastWriter& blast) {
+  if (blast.has(burden) || !blast.has(burden_crest) || !blast.has(burden_toe) || !blast.has(hole_length))
     return;
-  const double floor = blast[hole_length] - or_zero(blast, hole_subdrilling);
+  const double floor = blast.read(hole_length) - blast.read_or_zero(hole_subdrilling);
   if (!(floor > 0))
     throw std::invalid_argument(fmt::format(
         "blast.hole: with a length of {:.6g} m it ends above the floor of the bench", blast[hole_length]));
-  const auto at = [&](double depth) {
-    const double drilled = blast[burden_crest] + (blast[burden_toe] - blast[burden_crest]) * depth / floor;
-    return drilled - or_zero(blast, hole_deviation) * depth;
-  };
-  blast[burden] = std::min(at(std::min(blast[hole_stemming], floor)), at(floor));
-  if (!(blast[burden] > 0))
+  const double crest = blast.read(burden_crest), toe = blast.read(burden_toe);
+  const double deviation = blast.read_or_zero(hole_deviation);
+  const auto at = [&](double depth) { return crest + (toe - crest) * depth / floor - deviation * depth; };
+  const double least = std::min(at(std::min(blast.read(hole_stemming), floor)), at(floor));
+  if (!(least > 0))
     throw std::invalid_argument(
         fmt::format("blast.hole.deviation: the hole deviates by {:.6g} m at the floor and leaves the rock",
-                    blast[hole_deviation] * floor));
+                    deviation * floor));
+  blast.put(burden, least);
 }
 
 /// The charge per length that a table or a plan gives takes the place of the one that fills the hole: models
 /// that read diameter and density of the explosive then see it without a change. Without a diameter the hole
 /// is the one that this explosive fills.
-void complete_charge(Blast& blast) {
-  if (!given(blast, hole_linear_charge) && given(blast, hole_charge) && given(blast, hole_charge_length))
-    blast[hole_linear_charge] = blast[hole_charge] / blast[hole_charge_length];
-  if (given(blast, hole_linear_charge)) {
-    const double linear = blast[hole_linear_charge];
-    if (given(blast, hole_diameter))
-      blast[explosive_density] = linear / (pi / 4 * blast[hole_diameter] * blast[hole_diameter]);
-    else if (given(blast, explosive_density))
-      blast[hole_diameter] = std::sqrt(linear / (pi / 4 * blast[explosive_density]));
+void complete_charge(BlastWriter& blast) {
+  if (!blast.has(hole_linear_charge) && blast.has(hole_charge) && blast.has(hole_charge_length))
+    blast.put(hole_linear_charge, blast.read(hole_charge) / blast.read(hole_charge_length));
+  if (blast.has(hole_linear_charge)) {
+    if (blast.has(hole_diameter)) {
+      const double linear = blast.read(hole_linear_charge), diameter = blast.read(hole_diameter);
+      blast.put(explosive_density, linear / (pi / 4 * diameter * diameter));
+    } else if (blast.has(explosive_density)) {
+      const double linear = blast.read(hole_linear_charge), density = blast.read(explosive_density);
+      blast.put(hole_diameter, std::sqrt(linear / (pi / 4 * density)));
+    }
   } else {
-    blast[hole_linear_charge] =
-        pi / 4 * blast[hole_diameter] * blast[hole_diameter] * blast[explosive_density];
+    const double diameter = blast.read(hole_diameter), density = blast.read(explosive_density);
+    blast.put(hole_linear_charge, pi / 4 * diameter * diameter * density);
   }
-  if (!given(blast, hole_charge)) blast[hole_charge] = blast[hole_linear_charge] * blast[hole_charge_length];
+  if (!blast.has(hole_charge))
+    blast.put(hole_charge, blast.read(hole_linear_charge) * blast.read(hole_charge_length));
 }
 
 }  // namespace
 
-void complete(Blast& blast) {
-  complete_hole(blast);
-  complete_charge(blast);
-  complete_burden(blast);
+void complete(Blast& blast, BlastSources* sources) {
+  BlastWriter writer(blast, sources);
+  complete_hole(writer);
+  complete_charge(writer);
+  complete_burden(writer);
 }
 
 BlastDesign design_of(const Blast& blast, const Pattern& pattern) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "blast/holes.h"
+#include "blast/sources.h"
 
 namespace flyrock {
 
@@ -17,8 +18,9 @@ namespace flyrock {
 ///     The smallest burden is at an end of the charge above the floor.
 ///   - The charge of a hole, or its charge per length, gives the other one and the density that the explosive
 ///     has in the hole, or the diameter that it fills; diameter and density give both.
-/// Throws std::invalid_argument if the charge, the stemming or the burden would not be positive.
-void complete(Blast& blast);
+/// Notes in `sources` from which fields each one follows. Throws std::invalid_argument if the charge, the
+/// stemming or the burden would not be positive.
+void complete(Blast& blast, BlastSources* sources = nullptr);
 
 /// Rows of holes behind a face, or holes that were measured, and their firing times.
 struct Pattern {

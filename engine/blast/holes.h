@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "blast/blast.h"
+#include "blast/sources.h"
 
 namespace flyrock {
 
@@ -21,11 +21,11 @@ struct Hole {
 /// Puts a number that takes the place of what a completed blast has, and takes out what would follow from it
 /// in another way; complete() then fills that in again. A stemming keeps the length of the hole, and a change
 /// of lengths the charge per length.
-void force(BlastField field, double value, Blast& blast);
+void force(BlastField field, double value, Blast& blast, BlastSources* sources = nullptr);
 
 /// Puts what a hole gives into the blast of all holes, before that is completed (design.h). Fields that say
 /// the same in another way are taken out, because the hole knows better: of the lengths all, if it gives two;
 /// a burden, if it gives those at crest and toe; the charge, if it gives a charge.
-void put_own(const Hole& hole, Blast& blast);
+void put_own(const Hole& hole, Blast& blast, BlastSources* sources = nullptr);
 
 }  // namespace flyrock

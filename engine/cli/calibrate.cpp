@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
 #include <thread>
 
@@ -168,30 +169,25 @@ class StoredEvaluations {
     in_plane_ = base.plan.points.front().observed->of == ObservedNumber::place;
   }
 
-  Evaluation operator()(const LatticePoint& at) {
+  Evaluation evaluate(const LatticePoint& at) {
     if (was_interrupted()) throw Interrupted{};
-    const Scenario& scenario = base_.plan.points.front();
-    const SimulatedRows simulated = rows_at(at);
-    std::vector<const SimulatedRow*> pool_rows;
-    std::vector<Vec2> observed;
-    const std::vector<Vec2> all = observed_values(*scenario.observed, simulated);
-    for (const std::size_t r : rows_) {
-      if (scenario.observed->is_paired()) pool_rows.push_back(&simulated.rows[r]);
-      if (all[r].allFinite()) observed.push_back(all[r]);
-    }
-    if (!scenario.observed->is_paired()) pool_rows = {&simulated.rows.front()};
-    const MisfitPool pool(pool_rows, in_plane_, Censored::at_their_end);
+    const auto [pool, observed] = fitted_at(at);
     Evaluation evaluation;
     evaluation.energy = evaluation.misfit = lost_everything;
     if (!pool.empty() && !observed.empty()) {
       evaluation.energy = pool.energy_of(observed);
       evaluation.misfit = job_.of_quantiles ? pool.quantiles_of(observed) : evaluation.energy;
-      evaluation.noise_p90 =
-          SortedSample(pool.energies_of_draws(observed.size(), scenario.seed)).quantile(0.9);
+      evaluation.noise_p90 = SortedSample(pool.energies_of_draws(observed.size(), seed())).quantile(0.9);
+      evaluation.table = pool.table();
     }
     ++done_;
     if (!job_.quiet && done_ % 10 == 0) tell("{} points evaluated, {} of them anew\n", done_, new_);
     return evaluation;
+  }
+
+  std::vector<std::vector<Vec2>> draws(const LatticePoint& at) {
+    const auto [pool, observed] = fitted_at(at);
+    return pool.drawn(observed.size(), seed());
   }
 
   std::size_t done() const { return done_; }
@@ -214,6 +210,23 @@ class StoredEvaluations {
   /// A misfit above that of any model [m].
   static constexpr double lost_everything = 1e9;
 
+  std::uint64_t seed() const { return base_.plan.points.front().seed; }
+
+  /// All trials of the rows of the fit at a point, and what was measured of these.
+  std::pair<MisfitPool, std::vector<Vec2>> fitted_at(const LatticePoint& at) {
+    const ObservedPlan& plan = *base_.plan.points.front().observed;
+    const SimulatedRows simulated = rows_at(at);
+    std::vector<const SimulatedRow*> pool_rows;
+    std::vector<Vec2> observed;
+    const std::vector<Vec2> all = observed_values(plan, simulated);
+    for (const std::size_t r : rows_) {
+      if (plan.is_paired()) pool_rows.push_back(&simulated.rows[r]);
+      if (all[r].allFinite()) observed.push_back(all[r]);
+    }
+    if (!plan.is_paired()) pool_rows = {&simulated.rows.front()};
+    return {MisfitPool(pool_rows, in_plane_, Censored::at_their_end), std::move(observed)};
+  }
+
   std::string key_of(const LatticePoint& at) const {
     std::string key = base_.hash;
     for (std::size_t k = 0; k < at.size(); ++k)
@@ -235,10 +248,17 @@ void judge_held(const CalibrationJob& job, const LoadedScenario& base, const Row
                 StoredEvaluations& evaluations, FittedModel& model) {
   if (job.hold.empty()) return;
   model.held_name = job.hold;
+  const SimulatedRows best = evaluations.rows_at(model.calibration.best.at);
+  const auto skill_for = [&](const ObservedPlan& plan, const SimulatedRows& simulated,
+                             const std::vector<std::size_t>& rows) {
+    return skill_of(measured_ways(plan, simulated, rows), simulated_ways(plan, simulated, rows),
+                    measured_ways(model.observed, best, sets.fitted), plan.of == ObservedNumber::place,
+                    model.seed);
+  };
   if (!sets.held.empty()) {
     model.held_plan = model.observed;
-    model.held =
-        compare(model.observed, evaluations.rows_at(model.calibration.best.at), sets.held, model.seed);
+    model.held = compare(model.observed, best, sets.held, model.seed);
+    model.skill = skill_for(model.observed, best, sets.held);
     return;
   }
   SimulatedScenario other{job.scenario, overrides_at(job, model.calibration.best.at)};
@@ -251,7 +271,11 @@ void judge_held(const CalibrationJob& job, const LoadedScenario& base, const Row
   require_comparable(loaded, other.path);
   const Scenario& scenario = loaded.plan.points.front();
   model.held_plan = scenario.observed;
-  model.held = compare(*scenario.observed, simulate(other, loaded, job.threads, was_interrupted), model.seed);
+  const SimulatedRows simulated = simulate(other, loaded, job.threads, was_interrupted);
+  std::vector<std::size_t> rows(scenario.observed->rows.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  model.held = compare(*scenario.observed, simulated, rows, model.seed);
+  model.skill = skill_for(*scenario.observed, simulated, rows);
 }
 
 /// Refuses a folder of something else; a calibration of the same scenario goes on.
@@ -327,7 +351,10 @@ int carry_out_calibration(const CalibrationJob& job, const LoadedScenario& base,
     model.observed = *scenario.observed;
     model.trials = scenario.trials;
     model.seed = scenario.seed;
-    model.calibration = flyrock::calibrate(job.varied.size(), std::ref(evaluations), job.search_evaluations);
+    const CalibratedModel calibrated{
+        .evaluate = [&](const LatticePoint& at) { return evaluations.evaluate(at); },
+        .draws = [&](const LatticePoint& at) { return evaluations.draws(at); }};
+    model.calibration = flyrock::calibrate(job.varied.size(), calibrated, job.search_evaluations);
     model.fitted =
         compare(model.observed, evaluations.rows_at(model.calibration.best.at), sets.fitted, scenario.seed);
     judge_held(job, base, sets, evaluations, model);

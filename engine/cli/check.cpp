@@ -12,6 +12,8 @@
 #include "host/share.h"
 #include "plugin/conformance.h"
 #include "results/answer.h"
+#include "results/observation.h"
+#include "results/starts.h"
 
 namespace flyrock::cli {
 
@@ -55,12 +57,15 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
   if (!loaded) return bad_input;
   const Plan& plan = loaded->plan;
   if (!try_runners(*loaded, tried_trials)) return bad_input;
-  fmt::print("{}", not_used_line(plan.not_used, "`flyrock check --strict` says why"));
+  fmt::print("{}", not_used_list(plan.not_used));
   if (const std::string elevations = assumed_elevations(plan); !elevations.empty())
     fmt::print("{}\n", elevations);
   if (const std::string trees = assumed_trees(plan); !trees.empty()) fmt::print("{}\n", trees);
   if (!loaded->tiers.empty()) fmt::print("{}\n", loaded->tiers);
   if (const std::string ground = surveyed_ground(plan); !ground.empty()) fmt::print("{}\n", ground);
+  if (const Scenario& first = plan.points.front(); first.observed)
+    fmt::print("observed: {}\n",
+               measured_text(*first.observed, measured(*first.observed, starts_of(first, tried_trials))));
   const std::uint64_t trials = plan.points.front().trials;
   const std::string each =
       plan.axes.empty() ? "" : fmt::format(" at each of {} sweep points", plan.points.size());

@@ -431,8 +431,9 @@ Json DocumentSchema::document() {
   if (dimension_ == 3) add("forest", false, [&] { return forest(); });
   add("clearance", false, [&] {
     Json one = section("clearance").object();
-    // The point about which sectors lie.
-    one["dependencies"] = {{"x", Json::array({"sectors"})}, {"y", Json::array({"sectors"})}};
+    // The point about which sectors lie, and the kernel of the least area.
+    one["dependencies"] = {
+        {"x", Json::array({"sectors"})}, {"y", Json::array({"sectors"})}, {"radius", Json::array({"area"})}};
     return array_of(std::move(one));
   });
   add("exposure", false, [&] {

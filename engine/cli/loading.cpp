@@ -33,7 +33,8 @@ std::optional<LoadedScenario> load(const std::string& path, const Overrides& ove
   if (strict) diagnostics.be_strict();
   if (strict && loaded)
     for (const std::string& key : loaded->plan.not_used)  // "blast.spacing (bench_fit does not read it)"
-      diagnostics.error(node_at(loaded->root, key.substr(0, key.find(' '))).key_at, "", "not used: " + key);
+      diagnostics.error(node_at(loaded->root, key.substr(0, key.find_first_of(" :"))).key_at, "",
+                        "not used: " + key);
   const std::string text = diagnostics.to_text();
   if (!text.empty()) tell("{}{}", text, text.back() == '\n' ? "" : "\n");
   return diagnostics.has_errors() ? std::nullopt : std::move(loaded);

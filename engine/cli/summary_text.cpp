@@ -132,21 +132,12 @@ std::string verdict_line(const Verdict& verdict, bool sweep) {
 
 namespace {
 
-/// "+3.2 m (95 % interval 2.9 to 3.5 m)": the difference of the runout from point 0 of a group; empty
-/// without.
+/// The difference of the runout from point 0 of a group; empty without.
 std::string difference_text(const Results& results, std::size_t point, std::size_t group) {
   if (point == 0 || results.differences.size() < point) return "";
   const PointDifferences& of_point = results.differences[point - 1];
   if (!of_point.reason.empty()) return "";
-  const Difference& difference = of_point.groups.at(group).numbers.at(rock_statistic("runout"));
-  if (std::isnan(difference.mean)) return "";
-  const std::string text =
-      fmt::format("{}{} m", difference.mean > 0 ? "+" : "", three_digits(difference.mean));
-  if (difference.differing == 0) return text + " (no pair differs)";
-  if (difference.interval.trials_needed > 0) return text + " (too few trials that differ)";
-  if (std::isnan(difference.interval.lower)) return text;
-  return fmt::format("{} (95 % interval {} to {} m)", text, three_digits(difference.interval.lower),
-                     three_digits(difference.interval.upper));
+  return flyrock::difference_text(of_point.groups.at(group).numbers.at(rock_statistic("runout")));
 }
 
 /// The differences of a point in the table of all points: a line for each group.
@@ -253,7 +244,7 @@ std::string summary_text(const Plan& plan, const Results& results, const std::ve
   for (const std::string& warning : results.warnings)
     if (std::find(told.begin(), told.end(), warning) == told.end())
       text += fmt::format("warning: {}\n", warning);
-  return text + not_used_line(plan.not_used, "the report says why");
+  return text + not_used_line(plan.not_used);
 }
 
 std::string trial_text(const Scenario& scenario, const std::vector<RockRecord>& rocks) {

@@ -27,8 +27,7 @@ std::string value_with_region(const FittedModel& model, std::size_t k) {
     return three_digits(varied.low + share * (varied.high - varied.low));
   };
   const std::string unit = varied.unit.empty() ? "" : " " + varied.unit;
-  if (!model.calibration.region) return number(best_share(model, k)) + unit;
-  const RegionRange& range = (*model.calibration.region)[k];
+  const RegionRange& range = model.calibration.region[k];
   return fmt::format("{}{} (90 % region {}{} to {}{}{})", number(best_share(model, k)), unit,
                      range.is_open_below ? "from below " : "", number(range.low),
                      range.is_open_above ? "above " : "", number(range.high), unit);
@@ -38,28 +37,22 @@ Json parameter_data(const FittedModel& model, std::size_t k) {
   const VariedNumber& varied = model.varied[k];
   const Calibration& calibration = model.calibration;
   const WayEnd end = end_at(calibration.best.at[k]);
-  Json data =
-      json_object("path", varied.path, "value", varied.si_at(best_share(model, k)), "low", Json(nullptr),
-                  "high", Json(nullptr), "unit", varied.si, "text", varied.text_at(best_share(model, k)),
-                  "range", Json{varied.si_at(0), varied.si_at(1)}, "bound",
-                  end == WayEnd::low    ? Json("low")
-                  : end == WayEnd::high ? Json("high")
-                                        : Json(nullptr),
-                  "determined", Json(nullptr));
-  if (calibration.region) {
-    const RegionRange& range = (*calibration.region)[k];
-    data["low"] = varied.si_at(range.low);
-    data["high"] = varied.si_at(range.high);
-    data["determined"] = range.is_determined();
-  }
-  return data;
+  const RegionRange& range = calibration.region[k];
+  return json_object("path", varied.path, "value", varied.si_at(best_share(model, k)), "low",
+                     varied.si_at(range.low), "high", varied.si_at(range.high), "unit", varied.si, "text",
+                     varied.text_at(best_share(model, k)), "range", Json{varied.si_at(0), varied.si_at(1)},
+                     "bound",
+                     end == WayEnd::low    ? Json("low")
+                     : end == WayEnd::high ? Json("high")
+                                           : Json(nullptr),
+                     "determined", range.is_determined());
 }
 
 /// Of a number that the region holds from end to end, or nearly.
 std::string undetermined_text(const FittedModel& model) {
   std::string names;
   for (std::size_t k = 0; k < model.varied.size(); ++k)
-    if (model.calibration.region && !(*model.calibration.region)[k].is_determined())
+    if (!model.calibration.region[k].is_determined())
       names += (names.empty() ? "" : ", ") + model.varied[k].path;
   return names.empty() ? "" : fmt::format("The measurements do not determine {}.", names);
 }
@@ -82,20 +75,24 @@ std::string correlated_text(const FittedModel& model) {
 std::vector<std::string> calibration_sentences(const FittedModel& model) {
   const Calibration& calibration = model.calibration;
   std::vector<std::string> list;
+  const std::string skill = model.held ? skill_text(model.skill, model.held_name) : "";
+  if (model.held && !model.skill.has_skill()) list.push_back(skill);  // what matters most comes first
   for (std::size_t k = 0; k < model.varied.size(); ++k)
     list.push_back(fmt::format("{} = {}.", model.varied[k].path, value_with_region(model, k)));
   for (std::size_t k = 0; k < model.varied.size(); ++k)
     if (calibration.on_bound[k])
       list.push_back(fmt::format("{} is best at the end of its way: widen it, or doubt the model.",
                                  model.varied[k].path));
-  if (!calibration.region)
+  if (!calibration.agrees)
     list.emplace_back(
         "No point agrees with what was measured: at each the energy distance is above the 90 % quantile of "
-        "the model's own draws. The form of the model does not describe these measurements.");
+        "the model's own draws. The form of the model does not describe these measurements, and the region "
+        "says only which numbers are no worse than the best.");
   for (const std::string& text : {undetermined_text(model), correlated_text(model)})
     if (!text.empty()) list.push_back(text);
   list.push_back(fmt::format("What was fitted, which is no judgement: {}",
                              observation_text(model.observed, model.fitted)));
+  if (model.held && model.skill.has_skill()) list.push_back(skill);
   if (model.held)
     list.push_back(fmt::format("What was held back ({}), which judges the fit: {}", model.held_name,
                                observation_text(*model.held_plan, *model.held)));
@@ -123,9 +120,13 @@ nlohmann::ordered_json calibration_data(const FittedModel& model) {
       number(fitted.energy_noise_p90), "bias", number(fitted.bias), "bias_error", number(fitted.bias_error),
       "inside_90", number(static_cast<double>(fitted.inside) / static_cast<double>(fitted.with_band)),
       "correlation", std::move(correlation), "region_points", calibration.inside.size(), "agrees",
-      calibration.region.has_value(), "fitted", observation_data(model.observed, fitted), "held",
-      model.held ? observation_data(*model.held_plan, *model.held) : Json(nullptr), "held_name",
-      model.held ? Json(model.held_name) : Json(nullptr));
+      calibration.agrees, "fitted", observation_data(model.observed, fitted), "held",
+      model.held ? observation_data(*model.held_plan, *model.held) : Json(nullptr), "skill",
+      model.held && model.skill.is_known()
+          ? json_object("difference", number(model.skill.difference), "interval",
+                        interval_data(model.skill.interval), "verdict", model.skill.verdict())
+          : Json(nullptr),
+      "held_name", model.held ? Json(model.held_name) : Json(nullptr));
 }
 
 std::string evaluations_csv(const FittedModel& model) {
@@ -137,7 +138,7 @@ std::string evaluations_csv(const FittedModel& model) {
     for (std::size_t k = 0; k < model.varied.size(); ++k)
       text += "," + shortest(model.varied[k].si_at(static_cast<double>(evaluation.at[k]) / lattice));
     text += fmt::format(",{},{},{},{}\n", shortest(evaluation.misfit), shortest(evaluation.energy),
-                        shortest(evaluation.noise_p90), evaluation.is_inside() ? 1 : 0);
+                        shortest(evaluation.noise_p90), evaluation.is_inside ? 1 : 0);
   }
   return text;
 }

@@ -9,6 +9,7 @@
 #include "batch/load.h"
 #include "results/calibration.h"
 #include "results/observation.h"
+#include "results/skill.h"
 #include "results/varied_number.h"
 
 namespace flyrock {
@@ -26,6 +27,7 @@ struct FittedModel {
   std::string held_name;  ///< the label or file of what was held back; empty: nothing
   std::optional<ObservedPlan> held_plan;
   std::optional<ObservationSummary> held;  ///< of what was held back, at the best point
+  Skill skill;                             ///< of what was held back
 };
 
 /// docs/results.md has its fields. Numbers in SI units.

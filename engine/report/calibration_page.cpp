@@ -28,23 +28,31 @@ double written_at(const VariedNumber& varied, int place) {
 
 // ---- the map of the misfit
 
-/// Of one number: energy distance and its noise over the number.
+/// Of one number, over it: the energy distance, up to where it is in the region, and its noise.
 std::string misfit_curve(const FittedModel& model) {
   std::vector<Evaluation> sorted = model.calibration.evaluations;
   std::sort(sorted.begin(), sorted.end(),
             [](const Evaluation& a, const Evaluation& b) { return a.at < b.at; });
   Curve energy{.name = "energy distance", .x = {}, .y = {}},
+      region{.name = "in the region up to here", .x = {}, .y = {}},
       noise{.name = "90 % of the model's own draws", .x = {}, .y = {}, .dashed = true};
+  const double least = std::min_element(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+                         return a.energy < b.energy;
+                       })->energy;
   for (const Evaluation& evaluation : sorted) {
     const double x = written_at(model.varied[0], evaluation.at[0]);
     energy.x.push_back(x);
     energy.y.push_back(evaluation.energy);
     noise.x.push_back(x);
     noise.y.push_back(evaluation.noise_p90);
+    if (std::isnan(evaluation.difference_p90)) continue;
+    region.x.push_back(x);
+    region.y.push_back(least + evaluation.difference_p90);
   }
-  return svg_of(
-      "Misfit",
-      {{.title = "", .x_label = axis_label(model.varied[0]), .y_label = "m", .curves = {energy, noise}}});
+  return svg_of("Misfit", {{.title = "",
+                            .x_label = axis_label(model.varied[0]),
+                            .y_label = "m",
+                            .curves = {energy, region, noise}}});
 }
 
 /// From dark (good) to pale, by the logarithm of the misfit.
@@ -227,11 +235,13 @@ std::string calibration_page(const FittedModel& model) {
   for (const std::string& sentence : calibration_sentences(model)) page += paragraph("answer", sentence);
   page += "<h2>Misfit and region</h2>\n" + misfit_pictures(model);
   page += paragraph(
-      "note", model.varied.size() == 1
-                  ? "The region is where the energy distance of what was measured is below the 90 % "
-                    "quantile of the draws of the model itself."
-                  : "Dark: small energy distance, on a logarithmic scale. Yellow dots: points of the 90 % "
-                    "region. Red cross: the best point. Hover over a cell for its numbers.");
+      "note",
+      model.varied.size() == 1
+          ? "The region is where the energy distance of what was measured, less its least, is below the "
+            "90 % quantile of the same of draws of the model itself: as far as the line beside it goes. "
+            "The form of the model agrees where the energy distance is below the dashed line."
+          : "Dark: small energy distance, on a logarithmic scale. Yellow dots: points of the 90 % "
+            "region. Red cross: the best point. Hover over a cell for its numbers.");
   page += correlation_table(model);
   page += "<h2>What was fitted (no judgement)</h2>\n" + comparison(model.fitted);
   if (model.held)

@@ -9,15 +9,31 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json bound_data(DifferenceBound bound) {
+  switch (bound) {
+    case DifferenceBound::none:
+      return nullptr;
+    case DifferenceBound::at_least:
+      return ">=";
+    case DifferenceBound::at_most:
+      return "<=";
+    case DifferenceBound::not_known:
+      break;
+  }
+  return "unknown";
+}
+
 Json difference_data(const ComparedNumber& compared, const Difference& difference) {
   const Interval& interval = difference.interval;
   return {{"unit", compared.unit},
           {"mean", number(difference.mean)},
+          {"bound", bound_data(difference.bound)},
           {"interval", interval_data(interval)},
           {"design_effect", number(interval.design_effect)},
           {"trials_needed", interval.trials_needed > 0 ? Json(interval.trials_needed) : Json(nullptr)},
           {"pairs", difference.pairs},
           {"censored", difference.censored},
+          {"left_out", difference.left_out},
           {"differing_trials", difference.differing}};
 }
 

@@ -135,6 +135,7 @@ class Layers {
 
   void add_area(GeoJsonFile& file) const {
     for (const Json& clearance : summary_.at("clearance")) {
+      add_least_area(clearance, file);
       const auto area = clearance.find("area");
       if (area == clearance.end() || area->at("beyond").is_null()) continue;
       for (const auto& [limit, key] :
@@ -148,6 +149,17 @@ class Layers {
   }
 
  private:
+  static void add_least_area(const Json& clearance, GeoJsonFile& file) {
+    const auto area = clearance.find("area_least");
+    if (area == clearance.end() || area->at("polygons").empty()) return;
+    std::vector<PlanPolygon> region;
+    for (const Json& polygon : area->at("polygons")) region.push_back({places_of(polygon), {}});
+    Json properties = scalars_of(clearance);
+    properties["limit"] = "area_least";
+    properties["hectares"] = area->at("hectares");
+    file.add(properties, geojson_region(region));
+  }
+
   std::string rows_of(const char* columns, const char* table) const {
     return fmt::format("SELECT {} FROM {} WHERE point = {} ORDER BY {}.rowid", columns, table, point_, table);
   }

@@ -14,8 +14,8 @@ namespace flyrock {
 ///   gates, barriers   their lines. Properties: the numbers of their entries in summary.json
 ///   trees      the foot of each tree. Properties: the columns of `stems`
 ///   zones      the region of each zone of the terrain. Properties: zone, name
-///   area       the blasting area of each clearance with sectors. Properties: the numbers of its entry in
-///              summary.json, and `limit`: "area" or "with_factor"
+///   area       the blasting area of each clearance with sectors, and the area of least size. Properties: the
+///              numbers of its entry in summary.json, and `limit`: "area", "with_factor" or "area_least"
 /// A rock that did not start has no geometry. Returns the files; none in 2D. Throws FileError.
 std::vector<std::filesystem::path> export_geojson(const std::filesystem::path& results,
                                                   const std::filesystem::path& folder);

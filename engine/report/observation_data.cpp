@@ -31,6 +31,13 @@ nlohmann::ordered_json rocks_data(const ObservationSummary& summary) {
   return list;
 }
 
+nlohmann::ordered_json measured_data(const SortedSample& measured) {
+  const bool none = measured.empty();
+  return json_object("min", number(none ? unknown : measured.quantile(0)), "p50",
+                     number(none ? unknown : measured.quantile(0.5)), "max",
+                     number(none ? unknown : measured.quantile(1)));
+}
+
 nlohmann::ordered_json throws_data(const ThrowSummary& throws) {
   nlohmann::ordered_json factors = nlohmann::ordered_json::array(), site = nullptr;
   for (const CoveringFactor& factor : throws.factors)
@@ -57,11 +64,11 @@ nlohmann::ordered_json observation_data(const ObservedPlan& plan, const Observat
     model.push_back(rounded(summary.model.quantile(level)));
   }
   nlohmann::ordered_json data = json_object(
-      "of", name_of(plan.of), "per", name_of(plan.per), "rows", summary.rows, "values", summary.values,
-      "censored", summary.censored, "lost", summary.lost, "paired", summary.is_paired, "scatter",
-      summary.has_scatter, "bias", number(summary.bias), "bias_error", number(summary.bias_error), "across",
-      number(summary.across), "across_error", number(summary.across_error), "energy_distance",
-      number(summary.energy), "with_censored",
+      "of", name_of(plan.of), "per", name_of(plan.per), "rows", summary.rows, "measured",
+      measured_data(summary.observed), "values", summary.values, "censored", summary.censored, "lost",
+      summary.lost, "paired", summary.is_paired, "scatter", summary.has_scatter, "bias", number(summary.bias),
+      "bias_error", number(summary.bias_error), "across", number(summary.across), "across_error",
+      number(summary.across_error), "energy_distance", number(summary.energy), "with_censored",
       json_object("bias", number(summary.with_censored.bias), "bias_error",
                   number(summary.with_censored.bias_error), "energy_distance",
                   number(summary.with_censored.energy)),

@@ -12,7 +12,7 @@ using enum BlastField;
 
 /// Rocks that meet each other depend on everything that any of them depends on.
 bool group_reads(const Scenario& scenario, std::size_t group, BlastField field) {
-  const auto depends = [&](const RockGroup& g) { return depends_on(*scenario.blast, g, field); };
+  const auto depends = [&](const RockGroup& g) { return depends_on(scenario, g, field); };
   if (!scenario.rock_contacts) return depends(scenario.rocks[group]);
   return std::any_of(scenario.rocks.begin(), scenario.rocks.end(), depends);
 }
@@ -40,7 +40,7 @@ bool derived_is_read(const Scenario& scenario, std::size_t group, DerivedInput i
   const std::vector<BlastField>& wanted = fields_of(input);
   return std::all_of(scenario.blast->fields.begin(), scenario.blast->fields.end(), [&](const auto& given) {
     const auto& [field, number] = given;
-    const auto feeds = [&](BlastField result) { return makes_up(*scenario.blast, field, result); };
+    const auto feeds = [&](BlastField result) { return follows(*scenario.blast, result, field); };
     return number.is_constant() || std::none_of(wanted.begin(), wanted.end(), feeds) ||
            group_reads(scenario, group, field);
   });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "report/azimuth_data.h"
 #include "report/comparison_data.h"
@@ -134,9 +135,14 @@ void forget_statistics(Json& point) {
   if (point.contains("trees")) forget_numbers(point["trees"], {"hits", "counts"});
   for (Json& clearance : point["clearance"]) {
     forget_numbers(clearance, {"clearance", "group", "probability", "per", "of", "count", "rocks_per_blast",
-                               "weight", "upper_bound", "needed", "confidence", "factor", "area", "customary",
+                               "weight", "upper_bound", "needed", "confidence", "factor", "area", "area_least",
+                               "customary",
                                "known_throw", "beyond_known_throw"});
     if (clearance.contains("area")) clearance["area"]["sectors"] = Json::array();
+    if (clearance.contains("area_least")) {
+      forget_numbers(clearance["area_least"], {"probability", "effective"});
+      clearance["area_least"]["polygons"] = Json::array();
+    }
   }
   if (point.contains("exposure"))
     for (Json& exposed : point["exposure"])
@@ -315,6 +321,25 @@ Json area_data(const AreaSummary& area) {
           {"sectors", list}};
 }
 
+/// { hectares, probability, radius, beyond, effective, censored, polygons: [[[x, y], ...], ...] }. Without an
+/// area `hectares` and `beyond` are null.
+Json least_area_data(const ClearancePlan& plan, const LeastArea& area) {
+  Json polygons = Json::array();
+  const auto to_millimetres = [](double length) { return std::round(1000 * length) / 1000; };
+  for (const PlanRing& ring : area.polygons) {
+    Json& corners = polygons.emplace_back(Json::array());
+    for (const Vec2& corner : ring)
+      corners.push_back({to_millimetres(corner.x()), to_millimetres(corner.y())});
+  }
+  return {{"hectares", number(area.hectares)},
+          {"probability", plan.probability},
+          {"radius", number(area.radius)},
+          {"beyond", area.beyond ? Json(*area.beyond) : Json(nullptr)},
+          {"effective", number(area.effective)},
+          {"censored", area.censored},
+          {"polygons", polygons}};
+}
+
 Json clearances_data(const Scenario& scenario, const std::vector<ClearanceSummary>& clearances) {
   Json list = Json::array();
   for (std::size_t c = 0; c < clearances.size(); ++c) {
@@ -350,6 +375,10 @@ Json clearances_data(const Scenario& scenario, const std::vector<ClearanceSummar
       list.back()["beyond_known_throw"] = beyond_known_throw * *plan.known_throw;
     }
     if (plan.sectors > 0) list.back()["area"] = area_data(clearance.area);
+    if (!plan.least_area) continue;
+    list.back()["area_least"] = least_area_data(plan, clearance.least_area);
+    list.back()["circle_hectares"] = number(clearance.least_area.circle_hectares);
+    list.back()["circle_distance"] = number(clearance.least_area.circle_distance);
   }
   return list;
 }

@@ -114,6 +114,35 @@ std::string clearance_answer(const Plan& plan, const Results& results, std::size
   return text;
 }
 
+/// " Least area of road: 3.1 ha in 2 parts; with 95 % confidence at most 2 % of new rocks stop outside. A
+/// circle about the release places takes 24.3 ha (278 m)."
+std::string least_area_answer(const Plan& plan, const Results& results, std::size_t c) {
+  const ClearancePlan& asked = plan.points.front().clearances[c];
+  if (!asked.least_area) return {};
+  const auto at = [&](std::size_t p) -> const LeastArea& {
+    return results.points[p].clearances.at(c).least_area;
+  };
+  const bool one = results.points.size() == 1;
+  const char* of = asked.per_blast ? "blasts" : "rocks";
+  if (one && !at(0).beyond)
+    return fmt::format(
+        " Least area of {}: there is none, {} {} that are independent are too few in half of the trials.",
+        asked.name, three_digits(at(0).effective), of);
+  const auto hectares = [](double value) { return three_digits(value) + " ha"; };
+  std::string text = fmt::format(
+      " Least area of {}: {}", asked.name,
+      over_points(
+          plan, results, [&](std::size_t p) { return at(p).hectares; },
+          [&](std::size_t p) { return (at(p).censored > 0 ? ">= " : "") + hectares(at(p).hectares); }));
+  if (one && at(0).polygons.size() > 1) text += fmt::format(" in {} parts", at(0).polygons.size());
+  text += fmt::format("; with {} confidence at most {} of new {} outside.", percent(stated_confidence),
+                      percent(asked.probability), asked.per_blast ? "blasts throw a rock" : "rocks stop");
+  if (one && !std::isnan(at(0).circle_hectares))
+    text += fmt::format(" A circle about the release places takes {} ({} m).",
+                        hectares(at(0).circle_hectares), three_digits(at(0).circle_distance));
+  return text;
+}
+
 /// " Beside it: the customary distance is 300 m; 1.5 times the farthest known throw is 270 m."
 std::string beside_clearance(const ClearancePlan& asked) {
   if (!asked.customary && !asked.known_throw) return {};
@@ -130,7 +159,8 @@ std::string beside_clearance(const ClearancePlan& asked) {
 std::string clearances_answer(const Plan& plan, const Results& results) {
   std::string text;
   for (std::size_t c = 0; c < plan.points.front().clearances.size(); ++c)
-    text += clearance_answer(plan, results, c) + beside_clearance(plan.points.front().clearances[c]) + ' ';
+    text += clearance_answer(plan, results, c) + least_area_answer(plan, results, c) +
+            beside_clearance(plan.points.front().clearances[c]) + ' ';
   return text;
 }
 

@@ -16,6 +16,9 @@ namespace {
 constexpr int coarse_steps[] = {32, 12, 6};  // divide the lattice
 constexpr int fine_steps[] = {32, 10, 4};
 
+constexpr double region_probability = 0.9;
+constexpr int rough_draws = 80;  ///< of the region about which the finer grid lies
+
 std::vector<int> spread(int low, int high, int steps) {
   std::vector<int> places;
   for (int i = 0; i <= steps; ++i) {
@@ -42,9 +45,8 @@ std::vector<LatticePoint> grid_of(const std::vector<std::vector<int>>& axes) {
 
 class Calibrating {
  public:
-  Calibrating(std::size_t numbers, const std::function<Evaluation(const LatticePoint&)>& evaluate,
-              int search_evaluations)
-      : numbers_(numbers), evaluate_(evaluate), search_evaluations_(search_evaluations) {}
+  Calibrating(std::size_t numbers, const CalibratedModel& model, int search_evaluations)
+      : numbers_(numbers), model_(model), search_evaluations_(search_evaluations) {}
 
   Calibration result() {
     stage_ = "grid";
@@ -53,11 +55,13 @@ class Calibrating {
     stage_ = "search";
     search();
     stage_ = "region";
+    judge_points(rough_draws);
     const std::vector<std::vector<int>> fine = axes_about_region(lattice / coarse_steps[numbers_ - 1]);
     for (const LatticePoint& point : grid_of(fine)) at(point);
     result_.coarse = coarse.front();
     result_.fine = fine.front();
     find_best();
+    judge_points(MisfitPool::draws);
     find_region(fine);
     correlate(fine);
     return std::move(result_);
@@ -67,7 +71,7 @@ class Calibrating {
   const Evaluation& at(const LatticePoint& point) {
     const auto known = index_.find(point);
     if (known != index_.end()) return result_.evaluations[known->second];
-    Evaluation evaluation = evaluate_(point);
+    Evaluation evaluation = model_.evaluate(point);
     evaluation.at = point;
     evaluation.stage = stage_;
     index_[point] = result_.evaluations.size();
@@ -119,6 +123,41 @@ class Calibrating {
 
   // The region.
 
+  /// The 90 % quantile, over draws of a point, of the energy distance from it less the least one of all
+  /// points.
+  double difference_p90(const Evaluation& point, int draws) const {
+    std::vector<double> differences;
+    for (const std::vector<Vec2>& draw : model_.draws(point.at)) {
+      if (static_cast<int>(differences.size()) == draws) break;
+      double least = point.table.partial_energy(draw);
+      const double own = least;
+      for (const Evaluation& other : result_.evaluations)
+        least = std::min(least, other.table.partial_energy(draw));
+      differences.push_back(own - least);
+    }
+    return SortedSample(std::move(differences)).quantile(region_probability);
+  }
+
+  double least_energy() const {
+    double least = infinite;
+    for (const Evaluation& evaluation : result_.evaluations) least = std::min(least, evaluation.energy);
+    return least;
+  }
+
+  /// Which points are inside. The difference of a draw is at most its energy distance: a point whose own
+  /// difference is above the quantile of these is outside, and takes no time.
+  void judge_points(int draws) {
+    const double least = least_energy();
+    result_.agrees = false;
+    for (Evaluation& evaluation : result_.evaluations) {
+      const double difference = evaluation.energy - least;
+      const bool may_be_inside = difference <= evaluation.noise_p90;
+      evaluation.difference_p90 = may_be_inside ? difference_p90(evaluation, draws) : unknown;
+      evaluation.is_inside = difference == 0 || difference <= evaluation.difference_p90;
+      result_.agrees = result_.agrees || evaluation.agrees();
+    }
+  }
+
   /// A finer grid about the points that are inside, and the best one.
   std::vector<std::vector<int>> axes_about_region(int step) {
     find_best();
@@ -126,7 +165,7 @@ class Calibrating {
     for (std::size_t k = 0; k < numbers_; ++k) {
       int low = result_.best.at[k], high = low;
       for (const Evaluation& evaluation : result_.evaluations)
-        if (evaluation.is_inside()) {
+        if (evaluation.is_inside) {
           low = std::min(low, evaluation.at[k]);
           high = std::max(high, evaluation.at[k]);
         }
@@ -137,22 +176,25 @@ class Calibrating {
   }
 
   /// By how much a point is outside; at most 0 inside.
-  static double excess(const Evaluation& evaluation) { return evaluation.energy - evaluation.noise_p90; }
+  double excess(const Evaluation& point) const {
+    const double most =
+        std::isnan(point.difference_p90) ? difference_p90(point, MisfitPool::draws) : point.difference_p90;
+    return point.energy - least_energy() - most;
+  }
 
   /// Of each number the range of points inside, and where the excess vanishes on the way to a neighbour on
   /// the finer grid that is outside.
   void find_region(const std::vector<std::vector<int>>& fine) {
     std::vector<RegionRange> ranges(numbers_, {.low = 2, .high = -1});
     for (const Evaluation& evaluation : result_.evaluations) {
-      if (!evaluation.is_inside()) continue;
+      if (!evaluation.is_inside) continue;
       result_.inside.push_back(evaluation.at);
       for (std::size_t k = 0; k < numbers_; ++k) widen(ranges[k], evaluation.at[k]);
     }
-    if (result_.inside.empty()) return;
     for (std::size_t k = 0; k < numbers_; ++k)
       for (const LatticePoint& point : grid_of(fine)) {
         const Evaluation& here = result_.evaluations[index_.at(point)];
-        if (!here.is_inside()) continue;
+        if (!here.is_inside) continue;
         const auto place = std::find(fine[k].begin(), fine[k].end(), point[k]);
         if (place != fine[k].begin()) widen_towards(ranges[k], here, k, *(place - 1));
         if (place + 1 != fine[k].end()) widen_towards(ranges[k], here, k, *(place + 1));
@@ -173,8 +215,10 @@ class Calibrating {
     LatticePoint point = here.at;
     point[k] = neighbour;
     const Evaluation& there = result_.evaluations[index_.at(point)];
-    if (there.is_inside()) return;
-    const double share = excess(here) / (excess(here) - excess(there));
+    if (there.is_inside) return;
+    const double of_here = std::min(0.0, excess(here)), of_there = excess(there);
+    if (!(of_there > 0)) return;
+    const double share = of_here / (of_here - of_there);
     widen(range, here.at[k] + share * (neighbour - here.at[k]));
   }
 
@@ -183,7 +227,7 @@ class Calibrating {
     constexpr std::size_t least = 5;
     std::vector<LatticePoint> points;
     for (const LatticePoint& point : grid_of(fine))
-      if (result_.evaluations[index_.at(point)].is_inside()) points.push_back(point);
+      if (result_.evaluations[index_.at(point)].is_inside) points.push_back(point);
     if (points.size() < least) return;
     std::vector<double> mean(numbers_, 0.0);
     for (const LatticePoint& point : points)
@@ -206,7 +250,7 @@ class Calibrating {
   };
 
   const std::size_t numbers_;
-  const std::function<Evaluation(const LatticePoint&)>& evaluate_;
+  const CalibratedModel& model_;
   const int search_evaluations_;
   std::string stage_;
   std::map<LatticePoint, std::size_t> index_;  ///< of Calibration::evaluations
@@ -228,9 +272,8 @@ bool Calibration::any_on_bound() const {
   return std::find(on_bound.begin(), on_bound.end(), true) != on_bound.end();
 }
 
-Calibration calibrate(std::size_t numbers, const std::function<Evaluation(const LatticePoint&)>& evaluate,
-                      int search_evaluations) {
-  return Calibrating(numbers, evaluate, search_evaluations).result();
+Calibration calibrate(std::size_t numbers, const CalibratedModel& model, int search_evaluations) {
+  return Calibrating(numbers, model, search_evaluations).result();
 }
 
 std::size_t coarse_points(std::size_t numbers) {

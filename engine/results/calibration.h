@@ -6,14 +6,19 @@
 // coarse grid, then by NLopt (Sbplx, which needs no derivative) from the best point of it, then on a finer
 // grid about the region. All points use the same random numbers, so the misfit is a function of the point.
 //
-// Region: a point is inside if the energy distance of what was measured from its trials is at most the 90 %
-// quantile of the energy distances of 400 draws of these trials themselves. So it holds a true point with a
-// probability of 90 %.
+// Region: a point is inside if its energy distance from what was measured, less the least one of all points,
+// is at most the 90 % quantile of the same difference of 400 draws of its own trials, as if each was
+// measured. So it holds a true point with a probability of 90 %, and it is never empty: it compares points,
+// and says nothing of the form of the model. That is judged by the energy distance itself: no point agrees if
+// it is above the 90 % quantile of that of its own draws at each of them.
 
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "results/misfit.h"
+#include "results/unknown.h"
 
 namespace flyrock {
 
@@ -32,10 +37,22 @@ struct Evaluation {
   LatticePoint at;
   double misfit = 0;     ///< what is made least
   double energy = 0;     ///< energy distance of what was measured [m]
-  double noise_p90 = 0;  ///< of the draws of its own trials [m]
+  double noise_p90 = 0;  ///< of the energy distances of the draws of its own trials [m]
+  DistanceTable table;   ///< of its trials
   std::string stage;     ///< "grid", "search" or "region"
 
-  bool is_inside() const { return energy <= noise_p90; }
+  bool is_inside = false;           ///< the region
+  double difference_p90 = unknown;  ///< m, up to which it is inside; NaN: far outside
+
+  /// Its trials may have been what was measured.
+  bool agrees() const { return energy <= noise_p90; }
+};
+
+/// A model that is fitted. Both functions may throw, which ends the search.
+struct CalibratedModel {
+  std::function<Evaluation(const LatticePoint&)> evaluate;
+  /// Draws of the trials of a point (MisfitPool::drawn).
+  std::function<std::vector<std::vector<Vec2>>(const LatticePoint&)> draws;
 };
 
 /// The range of one number in the region, in shares of its way from its least to its greatest value.
@@ -51,8 +68,9 @@ struct RegionRange {
 struct Calibration {
   std::vector<Evaluation> evaluations;  ///< each point once, in the order in which they were asked for
   Evaluation best;
-  std::optional<std::vector<RegionRange>> region;  ///< absent: no point agrees with what was measured
-  std::vector<LatticePoint> inside;                ///< points of the region
+  std::vector<RegionRange> region;                              ///< of each number
+  std::vector<LatticePoint> inside;                             ///< points of the region
+  bool agrees = false;                                          ///< some point agrees with what was measured
   std::optional<std::vector<std::vector<double>>> correlation;  ///< of the numbers over them; absent: too few
   std::vector<bool> on_bound;     ///< of each number: the best point is at an end of its way
   std::vector<int> coarse, fine;  ///< lattice coordinates of the two grids of the first number
@@ -60,9 +78,8 @@ struct Calibration {
   bool any_on_bound() const;
 };
 
-/// Asks `evaluate` for at most some hundred points, each once. It may throw, which ends the search.
-Calibration calibrate(std::size_t numbers, const std::function<Evaluation(const LatticePoint&)>& evaluate,
-                      int search_evaluations);
+/// Evaluates at most some hundred points, each once.
+Calibration calibrate(std::size_t numbers, const CalibratedModel& model, int search_evaluations);
 
 /// The number of points of the coarse grid, for progress.
 std::size_t coarse_points(std::size_t numbers);

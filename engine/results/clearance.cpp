@@ -47,6 +47,7 @@ ClearanceTally::ClearanceTally(const std::vector<ClearancePlan>& plans) : plans_
     samples_.emplace_back();
     rocks_.emplace_back();
     sectors_.emplace_back(plan);
+    least_areas_.emplace_back(plan);
   }
 }
 
@@ -58,6 +59,7 @@ void ClearanceTally::add(const TrialRecords& chunk) {
       rocks_[c].weights.add(rock.weight);
     });
     sectors_[c].add(chunk);
+    least_areas_[c].add(chunk);
   }
 }
 
@@ -73,12 +75,15 @@ bool ClearanceTally::needs_another_pass() {
   counted_ = true;
   bool more = false;
   for (std::size_t c = 0; c < plans_.size(); ++c) {
-    std::optional<double> design_effect;
+    const double p = 1 - probability(c);
+    std::optional<LeastAreaTally::Clearance> found;
     if (samples_[c].needs_another_pass())
       more = true;
     else if (samples_[c].size() > 0)
-      design_effect = samples_[c].quantile_interval(1 - probability(c), plans_[c].confidence).design_effect;
-    more |= sectors_[c].needs_another_pass(design_effect);
+      found = {samples_[c].quantile(p).value,
+               samples_[c].quantile_interval(p, plans_[c].confidence).design_effect};
+    more |= sectors_[c].needs_another_pass(found ? std::optional(found->design_effect) : std::nullopt);
+    more |= least_areas_[c].needs_another_pass(found);
   }
   return more;
 }
@@ -99,6 +104,7 @@ std::vector<ClearanceSummary> ClearanceTally::summaries() const {
       summary.interval = samples_[c].quantile_interval(1 - probability(c), plan.confidence);
       if (summary.enough()) summary.distance = samples_[c].quantile(1 - probability(c));
     }
+    summary.least_area = least_areas_[c].summary();
     if (plan.factor) summary.with_factor = *plan.factor * summary.distance.value;
   }
   return summaries;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "batch/clearance_check.h"
-#include "results/sectors.h"
+#include "results/least_area.h"
 #include "results/unknown.h"
 
 namespace flyrock {
@@ -24,7 +24,8 @@ struct ClearanceSummary {
   /// factor x distance; NaN without a factor. The factor is applied only here and not to the interval.
   double with_factor = unknown;
 
-  AreaSummary area;  ///< if the plan asks for sectors
+  AreaSummary area;      ///< if the plan asks for sectors
+  LeastArea least_area;  ///< if the plan asks for it
 
   bool enough() const {
     return area.sectors.empty() ? count >= needed && interval.trials_needed == 0 : area.beyond.has_value();
@@ -58,6 +59,7 @@ class ClearanceTally {
   std::vector<Counted> rocks_;        ///< in each sample
   bool counted_ = false;              ///< first pass is done
   std::vector<SectorTally> sectors_;  ///< empty if no sectors are asked for
+  std::vector<LeastAreaTally> least_areas_;
 };
 
 }  // namespace flyrock

@@ -1,5 +1,8 @@
 #include "results/differences.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
@@ -8,6 +11,7 @@
 
 #include "results/lost.h"
 #include "results/rows_of_rock.h"
+#include "results/wording.h"
 #include "scenario/plan.h"
 
 namespace flyrock {
@@ -25,15 +29,40 @@ struct PairKey {
   auto operator<=>(const PairKey&) const = default;
 };
 
-/// The numbers of a rock, in the order of compared_numbers(): NaN where a number is a lower bound.
+/// On which side of a number the true one may lie.
+enum class Truth { is_it, is_above, is_below };
+
+/// A rock's number, or of a share 1 or 0. Of a censored rock where it was last seen.
+struct ComparedValue {
+  double value = 0;
+  Truth truth = Truth::is_it;
+};
+
+/// The numbers of a rock, in the order of compared_numbers().
 struct ComparedRock {
   PairKey key;
   bool is_sound = true;
-  std::vector<double> numbers;
+  std::vector<ComparedValue> numbers;
 };
 
-/// A rock's number, or of a share 1 or 0.
-double known_or_nan(const Bounded& number) { return number.censored ? unknown : number.value; }
+ComparedValue compared(const RockRecord& rock, const RockStatistic& number) {
+  if (bounded(rock, number).censored) return {number.of(rock), Truth::is_above};
+  const bool goes_down = number.column.along_x && rock.censored && rock.stop_x < rock.start_x;
+  return {number.of(rock), goes_down ? Truth::is_below : Truth::is_it};
+}
+
+/// What may still become 1.
+ComparedValue share_value(bool counts, bool is_open) {
+  return {counts ? 1.0 : 0.0, !counts && is_open ? Truth::is_above : Truth::is_it};
+}
+
+/// Which bound a - b is.
+DifferenceBound bound_of(Truth a, Truth b) {
+  if (a == Truth::is_it && b == Truth::is_it) return DifferenceBound::none;
+  if (a != Truth::is_below && b != Truth::is_above) return DifferenceBound::at_least;
+  if (a != Truth::is_above && b != Truth::is_below) return DifferenceBound::at_most;
+  return DifferenceBound::not_known;
+}
 
 class ComparedReader {
  public:
@@ -47,13 +76,12 @@ class ComparedReader {
     for (const RockRecord& rock : chunk.rocks) {
       const auto gates = rows_of_rock(chunk.gates, gate, rock);
       const auto barriers = rows_of_rock(chunk.barriers, barrier, rock);
-      ComparedRock& compared = rocks.emplace_back();
-      compared.key = {rock.trial, rock.group, in_group[{rock.trial, rock.group}]++};
-      compared.is_sound = !is_fault(rock.reason);
-      for (const RockStatistic& number : rock_statistics)
-        compared.numbers.push_back(known_or_nan(bounded(rock, number)));
-      add_gates(rock, gates, compared.numbers);
-      add_barriers(rock, barriers, compared.numbers);
+      ComparedRock& read = rocks.emplace_back();
+      read.key = {rock.trial, rock.group, in_group[{rock.trial, rock.group}]++};
+      read.is_sound = !is_fault(rock.reason);
+      for (const RockStatistic& number : rock_statistics) read.numbers.push_back(compared(rock, number));
+      add_gates(rock, gates, read.numbers);
+      add_barriers(rock, barriers, read.numbers);
     }
     std::sort(rocks.begin(), rocks.end(),
               [](const ComparedRock& a, const ComparedRock& b) { return a.key < b.key; });
@@ -62,25 +90,26 @@ class ComparedReader {
 
  private:
   void add_gates(const RockRecord& rock, std::span<const GateRecord> rows,
-                 std::vector<double>& numbers) const {
+                 std::vector<ComparedValue>& numbers) const {
     for (std::size_t g = 0; g < scenario_.gates.size(); ++g) {
       const bool passed = std::any_of(rows.begin(), rows.end(), [&](const GateRecord& row) {
         return static_cast<std::size_t>(row.passage.gate) == g;
       });
-      numbers.push_back(passed ? 1 : may_still_arrive(rock, rock.decided_gates, g) ? unknown : 0);
+      numbers.push_back(share_value(passed, may_still_arrive(rock, rock.decided_gates, g)));
     }
   }
 
   void add_barriers(const RockRecord& rock, std::span<const BarrierRecord> rows,
-                    std::vector<double>& numbers) const {
+                    std::vector<ComparedValue>& numbers) const {
     for (std::size_t b = 0; b < scenario_.barriers.size(); ++b) {
       const auto row = std::find_if(rows.begin(), rows.end(), [&](const BarrierRecord& each) {
         return static_cast<std::size_t>(each.hit.barrier) == b;
       });
       const bool reached = row != rows.end();
-      const double otherwise = !reached && may_still_arrive(rock, rock.decided_barriers, b) ? unknown : 0;
+      const bool is_open = !reached && may_still_arrive(rock, rock.decided_barriers, b);
       for (std::size_t s = 0; s < barrier_share_names.size(); ++s)
-        numbers.push_back(reached && counts(static_cast<BarrierShare>(s), row->hit.outcome) ? 1 : otherwise);
+        numbers.push_back(
+            share_value(reached && counts(static_cast<BarrierShare>(s), row->hit.outcome), is_open));
     }
   }
 
@@ -97,6 +126,35 @@ class ComparedReader {
 /// digits.
 class PairSums {
  public:
+  void add(const ComparedValue& at_0, const ComparedValue& at_k, std::uint64_t trial) {
+    const DifferenceBound bound = bound_of(at_k.truth, at_0.truth);
+    censored_ += bound != DifferenceBound::none;
+    at_least_ += bound == DifferenceBound::at_least;
+    at_most_ += bound == DifferenceBound::at_most;
+    if (bound == DifferenceBound::not_known)
+      ++left_out_;
+    else
+      add(at_k.value - at_0.value, trial);
+  }
+
+  Difference result() {
+    Difference result = mean_and_interval();
+    result.censored = censored_;
+    result.left_out = left_out_;
+    result.bound = bound();
+    const Interval none{unknown, unknown, result.interval.design_effect, result.interval.trials_needed};
+    if (result.has_many_censored() || result.bound == DifferenceBound::not_known) result.interval = none;
+    if (result.bound == DifferenceBound::not_known) result.mean = unknown;
+    return result;
+  }
+
+ private:
+  DifferenceBound bound() const {
+    if (left_out_ > 0 || (at_least_ > 0 && at_most_ > 0)) return DifferenceBound::not_known;
+    if (at_least_ > 0) return DifferenceBound::at_least;
+    return at_most_ > 0 ? DifferenceBound::at_most : DifferenceBound::none;
+  }
+
   void add(double difference, std::uint64_t trial) {
     if (in_trial_ > 0 && trial != trial_) end_trial();
     if (pairs_ == 0 && in_trial_ == 0) first_ = difference;
@@ -107,11 +165,10 @@ class PairSums {
     squares_ += from_first * from_first;
     differs_ = differs_ || difference != 0;
   }
-  void leave_out() { ++censored_; }
 
-  Difference result() {
+  Difference mean_and_interval() {
     end_trial();
-    Difference result{.pairs = pairs_, .censored = censored_, .differing = differing_};
+    Difference result{.pairs = pairs_, .differing = differing_};
     if (pairs_ == 0) return result;
     const double n = static_cast<double>(pairs_), m = static_cast<double>(trials_);
     const double mean = sum_ / n;
@@ -134,7 +191,6 @@ class PairSums {
     return result;
   }
 
- private:
   void end_trial() {
     if (in_trial_ == 0) return;
     const double n = static_cast<double>(in_trial_);
@@ -150,7 +206,8 @@ class PairSums {
     differs_ = false;
   }
 
-  std::uint64_t pairs_ = 0, censored_ = 0, trials_ = 0, differing_ = 0;
+  std::uint64_t pairs_ = 0, trials_ = 0, differing_ = 0;
+  std::uint64_t censored_ = 0, left_out_ = 0, at_least_ = 0, at_most_ = 0;  ///< pairs
   double first_ = 0, sum_ = 0, squares_ = 0;
   double trial_squares_ = 0, trial_products_ = 0, counts_ = 0;  ///< sums of S_t^2, S_t n_t, n_t^2
   // The open trial:
@@ -168,13 +225,8 @@ struct GroupPairs {
 
   void add(const ComparedRock& at_0, const ComparedRock& at_k) {
     ++paired;
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-      const double difference = at_k.numbers[i] - at_0.numbers[i];
-      if (std::isnan(difference))
-        sums[i].leave_out();
-      else
-        sums[i].add(difference, at_0.key.trial);
-    }
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      sums[i].add(at_0.numbers[i], at_k.numbers[i], at_0.key.trial);
   }
 };
 
@@ -265,6 +317,31 @@ std::string why_none(const Plan& plan, const std::vector<PointResult>& points, s
 }
 
 }  // namespace
+
+std::string difference_text(const Difference& difference) {
+  const std::string of_pairs =
+      fmt::format("{} of {} pairs", difference.censored, difference.pairs + difference.left_out);
+  if (difference.bound == DifferenceBound::not_known)
+    return fmt::format("not known: {} are censored, and bound it neither from below nor from above",
+                       of_pairs);
+  if (std::isnan(difference.mean)) return "";
+  const char* bound = difference.bound == DifferenceBound::at_least  ? ">= "
+                      : difference.bound == DifferenceBound::at_most ? "<= "
+                                                                     : "";
+  const std::string text =
+      fmt::format("{}{}{} m", bound, difference.mean > 0 ? "+" : "", three_digits(difference.mean));
+  std::vector<std::string> notes;
+  if (difference.differing == 0)
+    notes.push_back("no pair differs");
+  else if (difference.interval.trials_needed > 0)
+    notes.push_back("too few trials that differ");
+  else if (!std::isnan(difference.interval.lower))
+    notes.push_back(fmt::format("95 % interval {} to {} m", three_digits(difference.interval.lower),
+                                three_digits(difference.interval.upper)));
+  if (difference.censored > 0)
+    notes.push_back(fmt::format("{} are censored: they count where the rocks were last seen", of_pairs));
+  return notes.empty() ? text : fmt::format("{} ({})", text, fmt::join(notes, "; "));
+}
 
 std::vector<ComparedNumber> compared_numbers(const Scenario& scenario) {
   std::vector<ComparedNumber> list;

@@ -17,14 +17,31 @@ namespace flyrock {
 
 struct Plan;
 
+/// What the censored pairs make of a mean difference: the true one is exactly it, at least it, at most it, or
+/// anything.
+enum class DifferenceBound { none, at_least, at_most, not_known };
+
+/// The largest share of censored pairs with which a mean difference has an interval.
+inline constexpr double most_censored_pairs = 0.05;
+
 /// The mean difference of one number.
 struct Difference {
-  std::uint64_t pairs = 0;      ///< in the mean
-  std::uint64_t censored = 0;   ///< left out, because the number of one of the two rocks is a lower bound
+  std::uint64_t pairs = 0;      ///< in the mean: with a difference, or a bound of it
+  std::uint64_t censored = 0;   ///< pairs of which at least one number is a bound
+  std::uint64_t left_out = 0;   ///< of these, the ones without a bound: in no mean
   std::uint64_t differing = 0;  ///< trials in which some pair differs
-  double mean = unknown;
-  Interval interval{unknown, unknown};
+  DifferenceBound bound = DifferenceBound::none;
+  double mean = unknown;                ///< NaN also where `bound` is not_known
+  Interval interval{unknown, unknown};  ///< none with more than most_censored_pairs
+
+  bool has_many_censored() const {
+    return static_cast<double>(censored) > most_censored_pairs * static_cast<double>(pairs + left_out);
+  }
 };
+
+/// Of the runout: "+3.2 m (95 % interval 2.9 to 3.5 m)", ">= +7.5 m (66 of 200 pairs are censored ...)", "not
+/// known: ..."; empty without pairs.
+std::string difference_text(const Difference& difference);
 
 /// A number of rocks of which there are differences.
 struct ComparedNumber {

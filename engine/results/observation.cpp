@@ -63,13 +63,22 @@ class Comparing {
     for (const std::size_t row : rows_) observed_.push_back(all_[row]);
   }
 
+  /// Along the way.
+  SortedSample measured() {
+    if (rows_.empty()) return {};
+    find_way();
+    std::vector<double> values;
+    for (const Vec2& value : observed_) values.push_back(way_.at(value));
+    return SortedSample(std::move(values));
+  }
+
   ObservationSummary summary() {
     result_.rows = rows_.size();
     result_.is_paired = plan_.is_paired();
     count();
     if (rows_.empty() || result_.values == 0) return std::move(result_);
-    find_way();
-    distributions();
+    result_.observed = measured();
+    distribution_of_model();
     bias();
     count_censored();
     energies();
@@ -105,13 +114,11 @@ class Comparing {
     if (to.norm() > 0) way_.along = to.normalized();
   }
 
-  void distributions() {
-    std::vector<double> observed, model;
-    for (const Vec2& value : observed_) observed.push_back(way_.at(value));
+  void distribution_of_model() {
+    std::vector<double> model;
     for (const SimulatedRow* row : simulated_rows())
       for (const SimulatedValue& value : row->values)
         if (!value.censored) model.push_back(way_.at(value.value));
-    result_.observed = SortedSample(std::move(observed));
     result_.model = SortedSample(std::move(model));
   }
 
@@ -223,6 +230,12 @@ class Comparing {
   ObservationSummary result_;
 };
 
+std::vector<std::size_t> all_rows(const ObservedPlan& plan) {
+  std::vector<std::size_t> rows(plan.rows.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  return rows;
+}
+
 /// "Of 264 blasts it falls short of the farthest rock on 90 % (95 % interval 86 to 94 %); times 3.2 it covers
 /// 95 % of them ..."
 std::string throws_text(const ThrowSummary& throws) {
@@ -263,19 +276,29 @@ ObservationSummary compare(const ObservedPlan& plan, const SimulatedRows& simula
 }
 
 ObservationSummary compare(const ObservedPlan& plan, const SimulatedRows& simulated, std::uint64_t seed) {
-  std::vector<std::size_t> rows(plan.rows.size());
-  std::iota(rows.begin(), rows.end(), std::size_t{0});
-  return compare(plan, simulated, rows, seed);
+  return compare(plan, simulated, all_rows(plan), seed);
+}
+
+SortedSample measured(const ObservedPlan& plan, const SimulatedRows& simulated) {
+  return Comparing(plan, simulated, all_rows(plan), 0).measured();
+}
+
+std::string measured_text(const ObservedPlan& plan, const SortedSample& measured) {
+  if (measured.empty()) return "no row with a start";
+  const char* along = plan.of == ObservedNumber::place ? " along the way from the mean start" : "";
+  return fmt::format("{} row{}, {} {} to {} m{}, median {} m", measured.size(),
+                     measured.size() == 1 ? "" : "s", name_of(plan.of), three_digits(measured.quantile(0)),
+                     three_digits(measured.quantile(1)), along, three_digits(measured.quantile(0.5)));
 }
 
 std::string observation_text(const ObservedPlan& plan, const ObservationSummary& summary) {
   if (std::isnan(summary.energy))
     return "Compared with the measured rows: no rock of the model came to rest.";
   std::string text = fmt::format(
-      "Compared with {} measured row{} ({}): the model is {} m too {} on the mean (standard error {} m); "
+      "Compared with what was measured ({}): the model is {} m too {} on the mean (standard error {} m); "
       "energy "
       "distance {} m",
-      summary.rows, summary.rows == 1 ? "" : "s", name_of(plan.of), three_digits(std::abs(summary.bias)),
+      measured_text(plan, summary.observed), three_digits(std::abs(summary.bias)),
       summary.bias < 0 ? "short" : "far", three_digits(summary.bias_error), three_digits(summary.energy));
   if (summary.has_scatter)
     text += fmt::format(", {} m where the model were true (90 % below {} m)",

@@ -58,6 +58,12 @@ ObservationSummary compare(const ObservedPlan& plan, const SimulatedRows& simula
 /// Compares all rows.
 ObservationSummary compare(const ObservedPlan& plan, const SimulatedRows& simulated, std::uint64_t seed);
 
+/// What was measured of all rows, as ObservationSummary::observed. `simulated` needs starts only
+/// (starts_of()).
+SortedSample measured(const ObservedPlan& plan, const SimulatedRows& simulated);
+/// "2 rows, runout 40 to 50 m, median 45 m"
+std::string measured_text(const ObservedPlan& plan, const SortedSample& measured);
+
 /// What was measured of each row, in the terms of SimulatedValue.
 std::vector<Vec2> observed_values(const ObservedPlan& plan, const SimulatedRows& simulated);
 

@@ -5,7 +5,7 @@
 namespace flyrock {
 
 SimulatedTally::SimulatedTally(const Scenario& scenario)
-    : plan_(*scenario.observed), seen_(scenario.rocks.size(), 0) {
+    : plan_(*scenario.observed), dimension_(scenario.dimension), seen_(scenario.rocks.size(), 0) {
   for (const RockGroup& group : scenario.rocks)
     row_of_line_.emplace_back(group.table ? group.table->rocks.size() : 0, -1);
   for (std::size_t r = 0; r < plan_.rows.size() && plan_.rows[r].rock_line >= 0; ++r)
@@ -47,7 +47,7 @@ SimulatedRow* SimulatedTally::row_of(const RockRecord& rock) {
 }
 
 Vec2 SimulatedTally::value_of(const RockRecord& rock) const {
-  if (plan_.of == ObservedNumber::place) return {rock.stop_x, rock.stop_y};
+  if (plan_.of == ObservedNumber::place) return in_plan(rock.stop_x, rock.stop_y);
   return {plan_.of == ObservedNumber::runout ? rock.runout : rock.max_distance, 0};
 }
 
@@ -63,7 +63,7 @@ void SimulatedTally::add(const TrialRecords& chunk) {
       ++row->lost;
       continue;
     }
-    row->start += Vec2(rock.start_x, rock.start_y);
+    row->start += in_plan(rock.start_x, rock.start_y);
     const auto index = static_cast<std::size_t>(row - rows_.rows.data());
     ++starts_[index];
     const SimulatedValue value{rock.trial, value_of(rock), rock.censored};

@@ -43,7 +43,11 @@ class SimulatedTally {
   SimulatedRow* row_of(const RockRecord& rock);
   Vec2 value_of(const RockRecord& rock) const;
 
+  /// A place in plan: in 2D y is a height, which is no part of it.
+  Vec2 in_plan(double x, double y) const { return {x, dimension_ == 3 ? y : 0}; }
+
   const ObservedPlan& plan_;
+  const int dimension_;
   std::vector<std::vector<int>> row_of_line_;  ///< by group and line of its table; -1: not measured
   std::vector<int> row_of_hole_;               ///< of measured holes; -1: not measured
   std::vector<std::size_t> seen_;              ///< rocks of each group in the open trial

@@ -26,6 +26,10 @@ bool may_read(const PluginUse& use, const BlastFieldInfo& info) {
 
 }  // namespace
 
+bool says_it_reads(const PluginUse& use, BlastField field) {
+  return reads(use, blast_fields()[static_cast<std::size_t>(field)]);
+}
+
 bool reads_blast(const PluginUse& use) {
   return std::any_of(blast_fields().begin(), blast_fields().end(),
                      [&](const BlastFieldInfo& info) { return may_read(use, info); });
@@ -43,35 +47,40 @@ bool is_placed_by_rows(const RockGroup& group) {
          (group.release->kind == ReleaseKind::collar || group.release->kind == ReleaseKind::bench_top);
 }
 
-bool makes_up(const BlastPlan& blast, BlastField field, BlastField result) {
-  using enum BlastField;
-  if (field == result) return true;
-  // The charge as loaded decides what the explosive fills, or how densely.
-  if (result == explosive_density || result == hole_diameter || result == hole_linear_charge)
-    if (field == hole_linear_charge || field == hole_charge) return true;
-  if (result == gurney_constant) return blast.gurney_follows && field == detonation_velocity;
-  if (blast.gives(result) || !blast.provides(result)) return false;
-  const auto is_length = [](BlastField f) {
-    return f == hole_length || f == hole_stemming || f == hole_charge_length;
-  };
-  if (is_length(result)) return is_length(field);
-  return result == burden && (is_length(field) || field == hole_subdrilling || field == hole_deviation ||
-                              field == burden_crest || field == burden_toe);
-}
-
-bool depends_on(const BlastPlan& blast, const RockGroup& group, BlastField field) {
-  const bool holds_rows =
-      !blast.has_holes() && (field == BlastField::burden || field == BlastField::burden_crest);
-  if (holds_rows && is_placed_by_rows(group)) return true;
+bool reads_field(const Scenario& scenario, const RockGroup& group, BlastField field) {
+  const BlastPlan& blast = *scenario.blast;
+  if (!blast.has_holes() && is_placed_by_rows(group)) {
+    if (field == BlastField::burden || field == BlastField::burden_crest) return true;
+    const bool is_beside_others = scenario.dimension == 3 && blast.pattern.holes_per_row > 1;
+    if (field == BlastField::spacing && is_beside_others && group.release->kind == ReleaseKind::collar)
+      return true;
+  }
   const bool is_before_its_hole =
       blast.has_holes() && group.release && group.release->kind == ReleaseKind::face;
   if (is_before_its_hole && field == BlastField::spacing) return true;
   const std::vector<const PluginUse*> readers = blast_readers(group);
-  return std::any_of(blast_fields().begin(), blast_fields().end(), [&](const BlastFieldInfo& other) {
-    return makes_up(blast, field, other.field) &&
-           std::any_of(readers.begin(), readers.end(),
-                       [&](const PluginUse* use) { return may_read(*use, other); });
+  const BlastFieldInfo& info = blast_fields()[static_cast<std::size_t>(field)];
+  return std::any_of(readers.begin(), readers.end(),
+                     [&](const PluginUse* use) { return may_read(*use, info); });
+}
+
+bool follows(const BlastPlan& blast, BlastField field, BlastField from, Giver giver) {
+  return std::any_of(blast.sources.begin(), blast.sources.end(),
+                     [&](const BlastSources& of_hole) { return of_hole.follows(field, from, giver); });
+}
+
+bool follows(const BlastPlan& blast, BlastField field, BlastField from) {
+  return follows(blast, field, from, Giver::blast) || follows(blast, field, from, Giver::hole);
+}
+
+bool depends_on(const Scenario& scenario, const RockGroup& group, BlastField given, Giver giver) {
+  return std::any_of(blast_fields().begin(), blast_fields().end(), [&](const BlastFieldInfo& info) {
+    return follows(*scenario.blast, info.field, given, giver) && reads_field(scenario, group, info.field);
   });
+}
+
+bool depends_on(const Scenario& scenario, const RockGroup& group, BlastField given) {
+  return depends_on(scenario, group, given, Giver::blast) || depends_on(scenario, group, given, Giver::hole);
 }
 
 }  // namespace flyrock

@@ -11,6 +11,9 @@ namespace flyrock {
 /// say what it reads.
 bool reads_blast(const PluginUse& use);
 
+/// Whether a plugin says that it reads a field.
+bool says_it_reads(const PluginUse& use, BlastField field);
+
 /// The plugins of a group that get the blast.
 std::vector<const PluginUse*> blast_readers(const RockGroup& group);
 
@@ -18,12 +21,15 @@ std::vector<const PluginUse*> blast_readers(const RockGroup& group);
 /// distance between rows.
 bool is_placed_by_rows(const RockGroup& group);
 
-/// Whether `field` is `result`, or is used to compute `result` because the scenario does not give it
-/// (blast/design.h).
-bool makes_up(const BlastPlan& blast, BlastField field, BlastField result);
+/// Whether the rocks of a group read this field itself: a plugin does, or the release.
+bool reads_field(const Scenario& scenario, const RockGroup& group, BlastField field);
 
-/// Whether the rocks of a group depend on a field of the blast: a plugin reads the field, or reads a field
-/// that is computed from it, or the release uses it.
-bool depends_on(const BlastPlan& blast, const RockGroup& group, BlastField field);
+/// Whether a field follows from a given one (BlastSources), at any hole.
+bool follows(const BlastPlan& blast, BlastField field, BlastField from, Giver giver);
+bool follows(const BlastPlan& blast, BlastField field, BlastField from);
+
+/// Whether the rocks of a group depend on a given field: they read a field that follows from it.
+bool depends_on(const Scenario& scenario, const RockGroup& group, BlastField given, Giver giver);
+bool depends_on(const Scenario& scenario, const RockGroup& group, BlastField given);
 
 }  // namespace flyrock

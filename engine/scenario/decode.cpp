@@ -99,6 +99,7 @@ class PlanDecoder {
       steps_[a][point[a]] = std::move(*step);
       resolved_values_[a][point[a]] = *value;
     }
+    refuse_charges_without_length(Node::root(tree), scenario, diagnostics_);
     std::vector<std::string> not_used = find_not_used(Node::root(tree), scenario);
     decode_branches(scenario, not_used);
     if (diagnostics_.has_errors()) return;

@@ -127,7 +127,8 @@ void check_burdens(DecodeContext& context, const Node& blast, const BlastPlan& p
 /// Completes the blast with all medians, and reports contradictions in it.
 void complete_plan(DecodeContext& context, const Node& node, BlastPlan& plan) {
   try {
-    complete(plan.typical);
+    plan.sources = {given_fields(plan)};
+    complete(plan.typical, &plan.sources.front());
     plan.design = design_of(plan.typical, plan.pattern);
   } catch (const std::invalid_argument& fault) {
     return context.diagnostics.error(node.key_at, "", fault.what());  // the text already begins with the path
@@ -141,6 +142,14 @@ void complete_plan(DecodeContext& context, const Node& node, BlastPlan& plan) {
 
 double middle_of(const DecodeContext& context, const Number& number) {
   return number.is_constant() ? number.constant : context.draws[number.draw].quantile(0.5);
+}
+
+BlastSources given_fields(const BlastPlan& plan) {
+  BlastSources sources;
+  for (const auto& [field, value] : plan.fields) sources.give(field, Giver::blast);
+  if (plan.gurney_follows)
+    sources.compute(BlastField::gurney_constant, sources[BlastField::detonation_velocity]);
+  return sources;
 }
 
 BlastPlan decode_blast(DecodeContext& context, const Node& node) {

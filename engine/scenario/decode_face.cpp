@@ -107,7 +107,7 @@ std::vector<Vec3> FaceOfBlast::Axis::between(double from, double to) const {
   return line;
 }
 
-FaceOfBlast::Axis FaceOfBlast::axis_of(const Hole& hole, const Blast& blast) const {
+FaceOfBlast::Axis FaceOfBlast::axis_of(const Hole& hole, BlastWriter& blast) const {
   Axis axis;
   if (const auto found = tracks_.find(hole.name); found != tracks_.end()) {
     axis.track = found->second;
@@ -120,26 +120,24 @@ FaceOfBlast::Axis FaceOfBlast::axis_of(const Hole& hole, const Blast& blast) con
     throw std::invalid_argument("needs `x`, `y` and `z` of its collar for its distance to the face");
   if (!std::isnan(hole.x + hole.y + hole.z)) axis.collar = Vec3(hole.x, hole.y, hole.z);
   const bool leans =
-      is_known_field(blast, BlastField::hole_dip) && std::abs(blast[BlastField::hole_dip] - pi / 2) > 1e-9;
-  const bool deviates =
-      is_known_field(blast, BlastField::hole_deviation) && blast[BlastField::hole_deviation] != 0;
+      blast.has(BlastField::hole_dip) && std::abs(blast.read(BlastField::hole_dip) - pi / 2) > 1e-9;
+  const bool deviates = blast.read_or_zero(BlastField::hole_deviation) != 0;
+  const double azimuth = blast.read(BlastField::hole_azimuth);
   if (!leans && !deviates) return axis;
-  if (!is_known_field(blast, BlastField::hole_azimuth))
+  if (std::isnan(azimuth))
     throw std::invalid_argument(
         fmt::format("has a `{}`, which needs its `azimuth`, or a `track`", leans ? "dip" : "deviation"));
-  const Vec3 toward(std::cos(blast[BlastField::hole_azimuth]), std::sin(blast[BlastField::hole_azimuth]), 0);
-  axis.direction = leans ? Vec3(std::cos(blast[BlastField::hole_dip]) * toward -
-                                std::sin(blast[BlastField::hole_dip]) * Vec3::UnitZ())
-                         : Vec3((blast[BlastField::hole_deviation] * toward - Vec3::UnitZ()).normalized());
+  const Vec3 toward(std::cos(azimuth), std::sin(azimuth), 0);
+  const double dip = blast[BlastField::hole_dip], deviation = blast[BlastField::hole_deviation];
+  axis.direction = leans ? Vec3(std::cos(dip) * toward - std::sin(dip) * Vec3::UnitZ())
+                         : Vec3((deviation * toward - Vec3::UnitZ()).normalized());
   return axis;
 }
 
 /// The horizontal direction at right angles to the row of a hole, to the side to which it leans.
-Vec3 FaceOfBlast::across_row(const Hole& hole, const Blast& blast, const std::vector<Hole>& holes) const {
-  const bool has_azimuth = is_known_field(blast, BlastField::hole_azimuth);
-  const Vec3 toward = has_azimuth ? Vec3(std::cos(blast[BlastField::hole_azimuth]),
-                                         std::sin(blast[BlastField::hole_azimuth]), 0)
-                                  : Vec3(Vec3::UnitX());
+Vec3 FaceOfBlast::across_row(const Hole& hole, BlastWriter& blast, const std::vector<Hole>& holes) const {
+  const double azimuth = blast.read_or_zero(BlastField::hole_azimuth);
+  const Vec3 toward(std::cos(azimuth), std::sin(azimuth), 0);
   Vec3 farthest = Vec3::Zero();
   for (const Hole& other : holes) {
     const Vec3 along(other.x - hole.x, other.y - hole.y, 0);
@@ -190,16 +188,17 @@ void FaceOfBlast::put_burden(std::size_t index, Blast& completed, BlastPlan& pla
       !is_known_field(completed, BlastField::hole_stemming))
     throw std::invalid_argument(
         "needs two of its length, stemming and charge_length for its distance to the face");
-  const Axis axis = axis_of(hole, completed);
+  BlastWriter writer(completed, &plan.sources[index]);
+  const Axis axis = axis_of(hole, writer);
   const std::vector<Vec3> charge =
-      axis.between(completed[BlastField::hole_stemming], completed[BlastField::hole_length]);
+      axis.between(writer.read(BlastField::hole_stemming), writer.read(BlastField::hole_length));
   double least = infinite;
   BurdenCurve& curve = plan.face->curves[index];
   if (survey_) {
     least = survey_->distance_to(charge);
     curve = curve_of_survey(axis, completed);
   } else {
-    const Vec3 across = across_row(hole, completed, plan.pattern.measured);
+    const Vec3 across = across_row(hole, writer, plan.pattern.measured);
     const std::vector<AtDepth>& profile = profiles_.at(hole.name);
     for (std::size_t i = 1; i < profile.size(); ++i)
       for (std::size_t k = 1; k < charge.size(); ++k)
@@ -212,7 +211,8 @@ void FaceOfBlast::put_burden(std::size_t index, Blast& completed, BlastPlan& pla
   curve.charge_from = completed[BlastField::hole_stemming];
   curve.charge_to = completed[BlastField::hole_length];
   if (!(least > 0)) throw std::invalid_argument("its charge reaches the face: the least distance is 0 m");
-  hole.own[BlastField::burden] = completed[BlastField::burden] = least;
+  hole.own[BlastField::burden] = least;
+  writer.put(BlastField::burden, least);
 }
 
 std::unique_ptr<const FaceOfBlast> read_face(DecodeContext& context, const Node& blast, BlastPlan& plan) {

@@ -15,8 +15,8 @@ namespace flyrock {
 class FaceOfBlast {
  public:
   /// The burden of a hole of the front row: the least distance from the axis of its charge to the face. It
-  /// goes into the hole, into its completed blast, and with the burden along the hole into the plan. Throws
-  /// std::invalid_argument if the hole does not say where its charge is.
+  /// goes into the hole, into its completed blast, and with the burden along the hole and the fields that it
+  /// follows from into the plan. Throws std::invalid_argument if the hole does not say where its charge is.
   void put_burden(std::size_t hole, Blast& completed, BlastPlan& plan) const;
 
  private:
@@ -38,11 +38,11 @@ class FaceOfBlast {
     std::vector<Vec3> between(double from, double to) const;
   };
 
-  Axis axis_of(const Hole& hole, const Blast& blast) const;
+  Axis axis_of(const Hole& hole, BlastWriter& blast) const;
   BurdenCurve curve_of_survey(const Axis& axis, const Blast& blast) const;
   BurdenCurve curve_of_profile(const Hole& hole, const Axis& axis, const Blast& blast,
                                const Vec3& across) const;
-  Vec3 across_row(const Hole& hole, const Blast& blast, const std::vector<Hole>& holes) const;
+  Vec3 across_row(const Hole& hole, BlastWriter& blast, const std::vector<Hole>& holes) const;
 
   std::unique_ptr<const FaceSurvey> survey_;                       ///< null: profiles
   std::map<std::string, std::vector<AtDepth>> profiles_, tracks_;  ///< by the name of the hole

@@ -245,12 +245,16 @@ void complete_holes(DecodeContext& context, const Node& blast, BlastPlan& plan) 
   for (std::size_t i = 0; i < plan.pattern.measured.size(); ++i) {
     const Hole& hole = plan.pattern.measured[i];
     Blast& completed = plan.holes.emplace_back(common);
-    put_own(hole, completed);
+    BlastSources& sources = plan.sources.emplace_back(given_fields(plan));
+    put_own(hole, completed, &sources);
+    for (const BlastFieldInfo& info : blast_fields())
+      if (!std::isnan(hole.own[info.field])) plan.columns.insert(info.field);
     try {
-      complete(completed);
+      complete(completed, &sources);
       if (face) face->put_burden(i, completed, plan);
-      for (const auto& [field, value] : plan.forced) force(field, middle_of(context, value), completed);
-      if (!plan.forced.empty()) complete(completed);
+      for (const auto& [field, value] : plan.forced)
+        force(field, middle_of(context, value), completed, &sources);
+      if (!plan.forced.empty()) complete(completed, &sources);
       plan.hole_designs.push_back(design_of(completed, Pattern{}));
     } catch (const std::invalid_argument& fault) {
       context.diagnostics.error(plan.hole_places[i], blast.path + ".holes",

@@ -64,6 +64,20 @@ void decode_sectors(DecodeContext& context, const Node& item, const Section& sec
   if (plan.of_max_distance) error_at("of", "max_distance has no direction: `sectors` go with runout");
 }
 
+void decode_least_area(DecodeContext& context, const Node& item, const Section& section,
+                       ClearancePlan& plan) {
+  if (section.given("radius")) plan.radius = section.constant("radius");
+  plan.least_area = section.given("area");
+  if (section.given("radius") && !plan.least_area)
+    item.find("radius")->error(context.diagnostics,
+                               "is that of the kernel of `area: least`, but `area` is missing");
+  if (!plan.least_area) return;
+  if (context.dimension != 3)
+    item.find("area")->error(context.diagnostics, "lies in plan, which needs dimension 3");
+  if (plan.of_max_distance)
+    item.find("of")->error(context.diagnostics, "max_distance has no place: `area` goes with runout");
+}
+
 /// The part of the time in which someone is there, of the traffic if that is given.
 double decode_occupied(DecodeContext& context, const Node& item, const Section& section) {
   const bool of_traffic = section.given("vehicles_per_hour");
@@ -157,6 +171,7 @@ std::vector<ClearancePlan> decode_clearances(DecodeContext& context, const Node&
     plan.per_blast = section.text("per") == "blast";
     plan.of_max_distance = section.text("of") == "max_distance";
     decode_sectors(context, item, section, plan);
+    decode_least_area(context, item, section, plan);
     return plan;
   });
 }

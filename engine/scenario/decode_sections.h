@@ -51,6 +51,9 @@ void complete_holes(DecodeContext& context, const Node& blast, BlastPlan& plan);
 
 /// The median of a number.
 double middle_of(const DecodeContext& context, const Number& number);
+/// Of the fields that the blast of all holes gives: they follow from themselves, the Gurney constant perhaps
+/// from D.
+BlastSources given_fields(const BlastPlan& plan);
 
 /// Checks that need both the blast and the terrain: the length of the hole against the height of the bench.
 void check_hole(DecodeContext& context, const Node& blast, const BlastPlan& plan, const TerrainPlan& terrain);
@@ -106,6 +109,10 @@ OutputPlan decode_output(DecodeContext& context, const Node& node, const std::ve
 std::vector<Expectation> decode_expect(const Node& node, const MeasureNames& names);
 /// Nothing if it is wrong, which is reported.
 std::optional<AnswerPlan> decode_answer(const Node& node, const MeasureNames& names);
+
+/// Refuses charges without the length over which they lie, where a model reads the charge per length or the
+/// density of the explosive: it would compute with another charge.
+void refuse_charges_without_length(const Node& root, const Scenario& scenario, Diagnostics& diagnostics);
 
 /// Keys that the document gives and this run does not read.
 std::vector<std::string> find_not_used(const Node& root, const Scenario& scenario);

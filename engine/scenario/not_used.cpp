@@ -18,52 +18,65 @@ bool any_is_placed_by_rows(const Scenario& scenario) {
   return std::any_of(scenario.rocks.begin(), scenario.rocks.end(), is_placed_by_rows);
 }
 
-/// Why no plugin reads a field; names the plugins that get the blast.
+/// Why nobody reads a field; names those that read the blast.
 std::string reason(const Scenario& scenario) {
   std::set<std::string> readers;
   for (const RockGroup& group : scenario.rocks)
     for (const PluginUse* use : blast_readers(group)) readers.insert(use->plugin->spec.name);
+  if (scenario.blast->face) readers.insert("blast.face");
   if (readers.empty()) return "nothing reads it";
   return fmt::format("{} {} not read it", fmt::join(readers, ", "), readers.size() == 1 ? "does" : "do");
 }
 
-bool is_of_any_hole(const BlastPlan& blast, BlastField field) {
-  return std::any_of(blast.pattern.measured.begin(), blast.pattern.measured.end(),
-                     [&](const Hole& hole) { return !std::isnan(hole.own[field]); });
+bool is_read(const Scenario& scenario, BlastField field) {
+  return std::any_of(scenario.rocks.begin(), scenario.rocks.end(),
+                     [&](const RockGroup& group) { return reads_field(scenario, group, field); });
 }
 
-bool is_of_each_hole(const BlastPlan& blast, BlastField field) {
-  return blast.has_holes() && std::all_of(blast.pattern.measured.begin(), blast.pattern.measured.end(),
-                                          [&](const Hole& hole) { return !std::isnan(hole.own[field]); });
+bool is_used(const Scenario& scenario, BlastField field, Giver giver) {
+  const bool is_compared =
+      field == BlastField::powder_factor && std::isfinite(scenario.blast->design.powder_factor);
+  return is_compared ||
+         std::any_of(scenario.rocks.begin(), scenario.rocks.end(),
+                     [&](const RockGroup& group) { return depends_on(scenario, group, field, giver); });
+}
+
+/// Why a given field changes nothing: nobody reads it, or who does reads what follows from other fields.
+std::string why_idle(const Scenario& scenario, BlastField field) {
+  if (!is_read(scenario, field)) return reason(scenario);
+  const BlastPlan& blast = *scenario.blast;
+  if (field == BlastField::burden && blast.face) return "blast.face gives the burdens";
+  std::vector<std::string_view> others;
+  for (const BlastFieldInfo& info : blast_fields())
+    if (info.field != field && follows(blast, field, info.field)) others.push_back(info.path);
+  if (others.empty()) return "each of the holes has its own";
+  return fmt::format("it follows from {}", fmt::join(others, ", "));
 }
 
 void find_blast_keys(const Node& blast, const Scenario& scenario, std::vector<std::string>& list) {
-  const std::string why = reason(scenario);
   const bool explosive_by_name = blast.value->find("explosive") && blast.value->find("explosive")->text();
-  bool explosive_is_read = false;
+  bool explosive_is_used = false;
+  std::string why_explosive = reason(scenario);
   for (const BlastFieldInfo& info : blast_fields()) {
-    const bool is_read =
-        (info.field == BlastField::powder_factor && std::isfinite(scenario.blast->design.powder_factor)) ||
-        std::any_of(scenario.rocks.begin(), scenario.rocks.end(),
-                    [&](const RockGroup& group) { return depends_on(*scenario.blast, group, info.field); });
+    const bool used = is_used(scenario, info.field, Giver::blast);
     const std::size_t dot = info.path.find('.');
-    if (info.path.starts_with("explosive.")) explosive_is_read = explosive_is_read || is_read;
+    if (info.path.starts_with("explosive.")) {
+      explosive_is_used = explosive_is_used || used;
+      if (is_read(scenario, info.field)) why_explosive = why_idle(scenario, info.field);
+    }
     const std::optional<Node> parent =
         dot == std::string_view::npos ? blast : blast.find(info.path.substr(0, dot));
     const std::string_view key = dot == std::string_view::npos ? info.path : info.path.substr(dot + 1);
-    if (parent && find_given(*parent, key)) {
-      if (!is_read)
-        list.push_back(fmt::format("blast.{} ({})", info.path, why));
-      else if (is_of_each_hole(*scenario.blast, info.field))
-        list.push_back(fmt::format("blast.{} (each of the holes has its own)", info.path));
-    }
-    if (!is_read && is_of_any_hole(*scenario.blast, info.field))
-      list.push_back(fmt::format("blast.holes: the column `{}` ({})", key, why));
+    if (!used && parent && find_given(*parent, key))
+      list.push_back(fmt::format("blast.{} ({})", info.path, why_idle(scenario, info.field)));
+    if (scenario.blast->columns.contains(info.field) && !is_used(scenario, info.field, Giver::hole))
+      list.push_back(fmt::format("blast.holes: the column `{}` ({})", key, why_idle(scenario, info.field)));
   }
   for (const std::string& head : scenario.blast->other_heads)
     list.push_back(
         fmt::format("blast.holes: the column `{}` (no column of holes has this name)", printable(head)));
-  if (explosive_by_name && !explosive_is_read) list.push_back(fmt::format("blast.explosive ({})", why));
+  if (explosive_by_name && !explosive_is_used)
+    list.push_back(fmt::format("blast.explosive ({})", why_explosive));
   const auto rows = blast.find("rows");
   if (rows && find_given(*rows, "distance") && !any_is_placed_by_rows(scenario))
     list.push_back("blast.rows.distance (no rock is released at a collar or on the bench top)");
@@ -187,6 +200,46 @@ void find_keys_of_bodies(const Node& root, const Scenario& scenario, std::vector
 }
 
 }  // namespace
+
+void refuse_charges_without_length(const Node& root, const Scenario& scenario, Diagnostics& diagnostics) {
+  using enum BlastField;
+  if (!scenario.blast) return;
+  const BlastPlan& blast = *scenario.blast;
+  const auto says = [](const PluginUse* use) {
+    return says_it_reads(*use, hole_linear_charge) || says_it_reads(*use, explosive_density);
+  };
+  const auto reads_charge = [&](const RockGroup& group) {
+    const std::vector<const PluginUse*> readers = blast_readers(group);
+    return std::any_of(readers.begin(), readers.end(), says);
+  };
+  if (std::none_of(scenario.rocks.begin(), scenario.rocks.end(), reads_charge)) return;
+  const auto is_without = [](const Blast& hole, const BlastSources& sources) {
+    const auto is_given = [&](BlastField field) {
+      return sources.follows(field, field, Giver::hole) || sources.follows(field, field, Giver::blast);
+    };
+    return is_given(hole_charge) && !is_given(hole_linear_charge) && std::isnan(hole[hole_charge_length]);
+  };
+  constexpr const char* expected =
+      "the charge per length does not follow from it, and the rocks would be thrown by a hole full of "
+      "explosive; expected two of `length`, `stemming` and `charge_length`, a `charge_length`, or a "
+      "`linear_charge` in its place";
+  const Node node = *root.find("blast");
+  if (!blast.has_holes()) {
+    if (is_without(blast.typical, blast.sources.front()))
+      node.error(diagnostics, fmt::format("`hole.charge` is given without its length: {}", expected));
+    return;
+  }
+  std::vector<std::size_t> holes;
+  for (std::size_t i = 0; i < blast.holes.size(); ++i)
+    if (is_without(blast.holes[i], blast.sources[i])) holes.push_back(i);
+  if (holes.empty()) return;
+  const std::size_t first = holes.front();
+  const std::string others = holes.size() == 1 ? "" : fmt::format(" (and {} more holes)", holes.size() - 1);
+  diagnostics.error(
+      blast.hole_places[first], "blast.holes",
+      fmt::format("hole {}{}: its charge of {:.6g} kg is given without its length: {}",
+                  blast.pattern.measured[first].name, others, blast.holes[first][hole_charge], expected));
+}
 
 std::vector<std::string> find_not_used(const Node& root, const Scenario& scenario) {
   std::vector<std::string> list;

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -120,6 +121,8 @@ struct BlastPlan {
   std::optional<Number> time_scatter;
   std::vector<Blast> holes;  ///< measured holes, completed, with the medians of all distributions
   std::vector<BlastDesign> hole_designs;  ///< of each of them
+  std::vector<BlastSources> sources;      ///< of each of them; without measured holes one, of `typical`
+  std::set<BlastField> columns;           ///< fields that a measured hole gives
   std::vector<Location> hole_places;      ///< where each of them is written
   std::vector<std::string> other_heads;   ///< of the table of holes, which are no columns
 
@@ -128,14 +131,6 @@ struct BlastPlan {
   std::map<BlastField, Number> forced;
 
   bool has_holes() const { return !pattern.measured.empty(); }
-  /// Whether a field is given, of measured holes to each of them.
-  bool gives(BlastField field) const {
-    const auto& all = pattern.measured;
-    return fields.contains(field) ||
-           (!all.empty() && std::all_of(all.begin(), all.end(),
-                                        [&](const Hole& hole) { return !std::isnan(hole.own[field]); }));
-  }
-
   /// Whether a field is given or follows from other fields.
   bool provides(BlastField field) const { return !std::isnan(typical[field]); }
 };
@@ -277,6 +272,8 @@ struct ClearancePlan {
   bool per_blast = false;
   bool of_max_distance = false;            ///< use max_distance instead of runout
   int sectors = 0;                         ///< 3D: number of sectors by azimuth; 0: no sectors
+  bool least_area = false;                 ///< 3D: also the area of least size
+  double radius = 0;                       ///< m, of its kernel; 0: chosen (results/least_area.h)
   std::optional<double> customary = {};    ///< m, the legal or customary distance, to stand beside it
   std::optional<double> known_throw = {};  ///< m, the farthest throw that is known of the site
   std::optional<Vec2> about =

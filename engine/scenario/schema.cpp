@@ -501,6 +501,8 @@ std::vector<SectionSpec> make_sections() {
                                           "3D: by azimuth, in so many sectors, from all release places")),
                          4),
                 360),
+        optional(choice("area", {"least"}, "3D: also the area of least size")),
+        above(optional(number("radius", "m", "of the kernel of the least area; else the best of eight")), 0),
         optional(number("x", "m", "x of the point about which the sectors lie; 0 if only y is given")),
         optional(number("y", "m", "y of that point; 0 if only x is given"))},
        {}},

@@ -75,6 +75,9 @@ TEST_CASE("a number is found again, is judged on what was held back, and its sce
   CHECK(found["fitted"]["rows"] == 16);
   CHECK(found["held"]["rows"] == 8);
   CHECK(found["held_name"] == "late");
+  const Json& skill = found["skill"];
+  CHECK(skill["verdict"] == (skill["interval"][1].get<double>() < 0 ? "skill" : "no skill"));
+  CHECK(fit.out.starts_with("No skill") == (skill["verdict"] == "no skill"));
   const std::string page = read(folder.path() / "fit/calibration.html");
   for (const char* heading : {"Misfit and region", "no judgement", "What was held back: late"})
     CHECK(page.find(heading) != std::string::npos);

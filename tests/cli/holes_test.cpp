@@ -437,4 +437,107 @@ TEST_CASE("check says which settings of a branch nothing reads") {
   CHECK((strict.out + strict.err).find("branches.wet: blast.burden") == std::string::npos);
 }
 
+TEST_CASE("a column or key is named as not used only if nothing that decides a throw follows from it") {
+  // A face 3 m in front of holes that lean away from it.
+  std::string face = "x,y,z\n";
+  for (int y = -12; y <= 12; y += 2)
+    for (int z = -2; z <= 14; ++z) face += "3," + std::to_string(y) + "," + std::to_string(z) + "\n";
+  const std::string full =
+      "hole,x_m,y_m,z_m,length_m,stemming_m,dip_deg,azimuth_deg\n1,0,-2,12,12.4,2.5,80,0\n"
+      "2,0,2,12,12.4,2.5,80,0\n";
+  struct Case {
+    const char* name;
+    std::string blast, holes;
+    std::vector<std::string> not_used;
+  };
+  const std::string explosive = "  explosive: ANFO\n", diameter = "  hole: { diameter: 102 mm }\n";
+  const std::vector<Case> cases = {
+      {"the face reads the axis of the charge", diameter + "  face: { points: face.csv }\n", full, {}},
+      {"with a burden of their own nobody reads the axis",
+       diameter + "  burden: 3 m\n",
+       full,
+       {"the column `length` (gurney", "the column `stemming` (gurney", "the column `dip` (gurney",
+        "the column `azimuth` (gurney"}},
+      {"the face gives the burdens",
+       diameter + "  burden: 3 m\n  face: { points: face.csv }\n",
+       full,
+       {"blast.burden (blast.face gives the burdens)"}},
+      {"a charge takes its length from the table",
+       diameter + "  burden: 3 m\n",
+       "hole,x_m,y_m,charge_kg,charge_length_m\n1,0,-2,60,9\n2,0,2,50,9\n",
+       {}},
+      {"a charge takes its length from the blast",
+       "  hole: { diameter: 102 mm, length: 12.6 m, stemming: 2.5 m }\n  burden: 3 m\n",
+       "hole,x_m,y_m,charge_kg\n1,0,-2,60\n2,0,2,50\n",
+       {}},
+      {"burdens at crest and toe take the depth of the charge",
+       diameter,
+       "hole,x_m,y_m,burden_crest_m,burden_toe_m,length_m,stemming_m,subdrilling_m\n1,0,-2,3,4,12,2.5,1\n"
+       "2,0,2,3,3.5,12,2.5,1\n",
+       {}},
+      {"each hole has its own burden",
+       diameter + "  burden: 3 m\n",
+       "hole,x_m,y_m,burden_m\n1,0,-2,2.5\n2,0,2,3.5\n",
+       {"blast.burden (each of the holes has its own)"}},
+      {"the charge decides the density of the explosive",
+       "  hole: { diameter: 102 mm, charge_length: 9 m }\n  burden: 3 m\n",
+       "hole,x_m,y_m,charge_kg,linear_charge\n1,0,-2,60,6\n2,0,2,50,6\n",
+       {"blast.hole.charge_length (gurney", "the column `charge` (gurney"}},
+  };
+  for (const Case& c : cases) {
+    INFO(c.name);
+    const Folder folder;
+    folder.write("face.csv", face);
+    folder.write("holes.csv", c.holes);
+    folder.write(
+        "s.yaml",
+        "flyrock: 1\ndimension: 3\nmethod: ballistic\ntrials: 4\n"
+        "terrain: { type: benches, count: 1, height: 12 m, face_angle: 89 deg, berm: 0 m, top: 200 m, "
+        "floor: 900 m, length: 1500 m }\nblast:\n  spacing: 4 m\n  rock_density: 2700 kg/m3\n"
+        "  breakout_angle: 90 deg\n  holes: { file: holes.csv }\n" +
+            explosive + c.blast +
+            "rocks:\n  - { name: r, per_hole: 2, density: 2700, shape: { type: sphere, radius: 0.1 }, "
+            "release: { from: face, bench: 1 }, launch: { type: gurney, elevation: 20 deg, azimuth: 0 deg } "
+            "}\nstop: { time: 60 s }\n");
+    const Output checked = call(folder, "check s.yaml");
+    INFO(checked.out << checked.err);
+    CHECK(checked.code == 0);
+    std::size_t lines = 0;
+    for (std::size_t at = checked.out.find("not used: "); at != std::string::npos;
+         at = checked.out.find("not used: ", at + 1))
+      ++lines;
+    CHECK(lines == c.not_used.size());
+    for (const std::string& entry : c.not_used) {
+      INFO(entry);
+      CHECK(checked.out.find(entry) != std::string::npos);
+    }
+    CHECK(call(folder, "check s.yaml --strict").code == (c.not_used.empty() ? 0 : 2));
+  }
+}
+
+TEST_CASE("a measured charge without its length is an error where a model reads what follows from it") {
+  const Folder folder;
+  folder.write("own.lua", own_model);
+  folder.write("holes.csv", "hole,x_m,burden_m,charge_kg\nA1,0,3,72.5\nA2,3,2.9,71\n");
+  const std::string blast = "  hole: { diameter: 102 mm }\n  holes: { file: holes.csv }\n";
+  folder.write("s.yaml", scenario_of(blast, "{ type: gurney, elevation: 30 deg }"));
+  const Output refused = call(folder, "check s.yaml");
+  CHECK(refused.code == 2);
+  INFO(refused.err);
+  CHECK(refused.err.find("hole A1 (and 1 more holes): its charge of 72.5 kg is given without its length") !=
+        std::string::npos);
+  // Whoever gives the length is heard, and a tenth of the charge throws less.
+  const std::string with =
+      scenario_of("  hole: { diameter: 102 mm, charge_length: 9 m }\n  holes: { file: holes.csv }\n",
+                  "{ type: gurney, elevation: 30 deg }");
+  folder.write("with.yaml", with);
+  run_it(folder, "with.yaml", "much");
+  folder.write("holes.csv", "hole,x_m,burden_m,charge_kg\nA1,0,3,7.25\nA2,3,2.9,7.1\n");
+  run_it(folder, "with.yaml", "little");
+  const auto speed = [&](const std::string& out) {
+    return std::stod(rows_of(folder, out).front().at("launch_speed_m_s"));
+  };
+  CHECK(speed("little") < 0.5 * speed("much"));
+}
+
 }  // namespace flyrock::holes_test

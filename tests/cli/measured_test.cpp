@@ -31,6 +31,27 @@ std::string thrown(int dimension, const std::string& rocks, const std::string& o
 
 }  // namespace
 
+TEST_CASE("a height is no part of a measured distance, in 2D as in 3D") {
+  // Starts 12 m above the ground and 3 m along it; stops that were measured at x = 40 and 50 m.
+  for (const int dimension : {2, 3})
+    for (const std::string of : {"runout", "place"}) {
+      INFO(dimension << "D, " << of);
+      const Folder folder;
+      folder.write("rocks.csv",
+                   "name,mass_kg,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s\na,10,3,0,12,8,0,0\nb,10,3,0,12,10,0,0\n");
+      folder.write("stops.csv", "name,x_m,y_m\na,40,0\nb,50,0\n");
+      folder.write("s.yaml", thrown(dimension, "table: rocks.csv", "{ file: stops.csv, of: " + of + " }"));
+      const Json observed = summary_of(folder, "s.yaml")["points"][0]["observed"];
+      CHECK(observed["measured"]["min"].get<double>() == Approx(37));
+      CHECK(observed["measured"]["max"].get<double>() == Approx(47));
+      CHECK(observed["measured"]["p50"].get<double>() == Approx(42));
+      const Output checked = call(folder, "check s.yaml");
+      INFO(checked.out << checked.err);
+      CHECK(checked.out.find("observed: 2 rows, " + of + " 37 to 47 m") != std::string::npos);
+      CHECK(checked.out.find("median 42 m") != std::string::npos);
+    }
+}
+
 TEST_CASE("a table with velocities flies each rock by its own, distances measured so have no bias") {
   for (const int dimension : {2, 3}) {
     const Folder folder;

@@ -146,7 +146,7 @@ def shown(path, si):
 def parameters(found):
     cells = []
     for p in found["parameters"]:
-        region = "none" if p["low"] is None else f"{shown(p['path'], p['low'])} to {shown(p['path'], p['high'])}"
+        region = f"{shown(p['path'], p['low'])} to {shown(p['path'], p['high'])}"
         cells.append(f"{shown(p['path'], p['value'])} ({region})")
     return ", ".join(cells)
 

@@ -1,4 +1,4 @@
-// The blasting area: clearances by azimuth, drawn on the plan.
+// The blasting area: clearances by azimuth, and the area of least size, drawn on the plan.
 
 /** How far (x, y) is from the hull of the release places, 0 within it. */
 function distance_from_hull(hull, x, y) {
@@ -67,7 +67,48 @@ function draw_area(node, clearance) {
   }, true);
 }
 
+/** The area of least size, and the circle that holds as well. */
+function draw_least_area(node, clearance) {
+  const least = clearance.area_least, x = [], y = [];
+  if (least.hectares === null) return;
+  for (const ring of least.polygons) {
+    for (const [px, py] of [...ring, ring[0]]) {
+      x.push(px);
+      y.push(py);
+    }
+    x.push(null);
+    y.push(null);
+  }
+  const name = `at most ${percent(clearance.probability)} outside`;
+  const trace = { x, y, mode: "lines", name, line: { color: colour.blue, width: 2 }, fill: "toself", fillcolor: "rgba(0,114,178,0.15)", hovertemplate: `${name}<br>x %{x:.1f} m, y %{y:.1f} m<extra></extra>` };
+  const window = window_of(node, [{ ...trace, x: x.filter((v) => v !== null), y: y.filter((v) => v !== null) }], 700), frame = map_frame(ground_of_point(), window);
+  plot(node, [...frame.traces, trace], {
+    height: window.height, legend, hovermode: "closest", shapes: frame.shapes, annotations: frame.annotations,
+    xaxis: { ...place_axis("x in m"), range: window.x }, yaxis: { ...place_axis("y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
+  }, true);
+}
+
+function least_area_section() {
+  if (!summary.points[0].clearance.some((clearance) => clearance.area_least)) return;
+  const content = element("div");
+  section("Area of least size", content);
+  redraw.push(() => {
+    const clearances = summary.points[shown.point].clearance.filter((clearance) => clearance.area_least);
+    const nodes = clearances.map((clearance) => plot_node(`The least area of the clearance ${clearance.clearance} on the plan`));
+    content.replaceChildren(
+      table("", ["clearance", "area ha", "parts", "probability", "kernel m", "circle ha", "circle m"], clearances.map((c) => {
+        const least = c.area_least, few = `none: ${show(least.effective)} independent ${c.per === "blast" ? "blasts" : "rocks"} are too few`;
+        return [c.clearance, least.hectares === null ? (least.reason === "lost" ? "–" : few) : right(`${least.censored > 0 ? "≥ " : ""}${show(least.hectares)}`), least.polygons.length, right(percent(c.probability)), least.radius, c.circle_hectares, c.circle_distance];
+      })),
+      ...clearances.flatMap((clearance, i) => [element("h3", {}, clearance.clearance), nodes[i]]),
+      caption("With 95 % confidence at most the given share of new rocks (or blasts) stops outside the area. The circle about the hull of the release places holds with the same confidence.",
+        "The even trials say where rocks stop (Epanechnikov's kernel), the odd ones how many stop outside: so the area holds whatever the kernel is. Its radius is the one that needs the least land, unless the scenario gives one. Holes are filled. ≥: some rocks count where they were last seen."));
+    clearances.forEach((clearance, i) => draw_least_area(nodes[i], clearance));
+  });
+}
+
 function area_section() {
+  least_area_section();
   if (!summary.points[0].clearance.some((clearance) => clearance.area)) return;
   const content = element("div");
   section("Blasting area", content);

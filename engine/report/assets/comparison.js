@@ -34,8 +34,10 @@ const no_differences = { lost: "too many rocks failed at it or at point 0", rows
 function difference_cells(name, d) {
   const number = rock_numbers[name], scale = number ? number.per_si : 100, digits = (value) => (value === null ? null : value * scale);
   const signed = (value) => (value === null ? "–" : `${value > 0 ? "+" : ""}${show(digits(value))}`);
-  const interval = d.trials_needed !== null ? `too few trials that differ: it needs about ${d.trials_needed} trials` : d.differing_trials === 0 && d.pairs > 0 ? "no pair differs" : d.interval[0] === null ? "–" : `${signed(d.interval[0])} to ${signed(d.interval[1])}`;
-  return [right(signed(d.mean)), right(interval), d.pairs, d.censored];
+  const many = d.censored > 0 && d.interval[0] === null;
+  const interval = d.bound === "unknown" || (many && d.trials_needed === null && d.differing_trials > 0) ? "too many censored pairs" : d.trials_needed !== null ? `too few trials that differ: it needs about ${d.trials_needed} trials` : d.differing_trials === 0 && d.pairs > 0 ? "no pair differs" : d.interval[0] === null ? "–" : `${signed(d.interval[0])} to ${signed(d.interval[1])}`;
+  const mean = d.bound === "unknown" ? "not known" : `${{ ">=": "≥ ", "<=": "≤ " }[d.bound] ?? ""}${signed(d.mean)}`;
+  return [right(mean), right(interval), d.pairs, d.censored, d.left_out];
 }
 const difference_unit = (name) => (rock_numbers[name] ? rock_numbers[name].unit || "–" : "% points");
 const difference_name = (name) => (rock_numbers[name] ? quantity_name(name) : name);
@@ -46,17 +48,17 @@ function differences_section() {
   const names = Object.keys(all.find((of) => of.groups.length > 0)?.groups[0].numbers ?? { runout: null }), over_points = element("div"), of_point = element("div");
   let name = "runout";
   const draw_points = () => over_points.replaceChildren(table(`Against point 0: ${difference_name(name)} in ${difference_unit(name)}, ${group_name(shown_group())}`,
-    ["point", ...data.axes.map((axis) => in_unit(axis.name, axis.unit)), "mean difference", "95 % interval", "pairs", "censored pairs"],
+    ["point", ...data.axes.map((axis) => in_unit(axis.name, axis.unit)), "mean difference", "95 % interval", "pairs", "censored pairs", "left out"],
     all.map((of) => [of.point, ...data.axes.map((axis) => at_axis(axis, summary.points[of.point])),
-      ...(of.reason ? ["–", no_differences[of.reason], "", ""] : difference_cells(name, of.groups[shown.group].numbers[name]))])));
+      ...(of.reason ? ["–", no_differences[of.reason], "", "", ""] : difference_cells(name, of.groups[shown.group].numbers[name]))])));
   const draw_point = () => {
     const of = all.find((each) => each.point === shown.point);
     of_point.replaceChildren(!of || of.reason ? "" : table(`${point_name(summary.points[of.point])} against point 0: ${group_name(shown_group())}`,
-      ["number", "unit", "mean difference", "95 % interval", "pairs", "censored pairs"], names.map((each) => [difference_name(each), difference_unit(each), ...difference_cells(each, of.groups[shown.group].numbers[each])])));
+      ["number", "unit", "mean difference", "95 % interval", "pairs", "censored pairs", "left out"], names.map((each) => [difference_name(each), difference_unit(each), ...difference_cells(each, of.groups[shown.group].numbers[each])])));
   };
   section("Differences between points", chooser("Number", names.map((each) => [each, difference_name(each)]), name, (value) => { name = value; draw_points(); }), over_points, of_point,
     caption("The mean of the number at the point less that at point 0, over pairs of the same rock of the same trial, which have the same random numbers. The interval takes the trial as its unit.",
-      "A pair is left out and counted as censored where the number of one of its rocks is only a lower bound. Pairs with a rock that failed are left out too.",
+      "A pair is censored where the number of one of its rocks is only a bound: it counts where the rock was last seen, and the mean is then a bound too (≥, ≤), or not known where the pairs have bounds on both sides or none (left out). Above 5 % of censored pairs there is no interval. Pairs with a rock that failed are in no column.",
       "For every number of the point that is shown, choose another point than 0 above."));
   redraw.push(draw_points, draw_point);
 }

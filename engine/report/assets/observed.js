@@ -29,7 +29,7 @@ function observed_scores(observed) {
   const with_error = (value, error) => (value === null ? "–" : `${show(value)} ± ${show(error)}`);
   const inside = observed.inside_90;
   const rows = [
-    ["rows measured", observed.rows], [{ rock: `rocks of the model that ${ends_at_landing ? "landed" : "came to rest"}`, blast: "blasts of the model, each with its farthest rock", hole: "blasts of the model: one a row and trial, with its farthest rock" }[observed.per] ?? "values of the model", observed.values], ["left the domain or still moved (in no other number but those that name them)", observed.censored], ["failed", observed.lost],
+    ["rows measured", observed.rows], ["measured: least, median, greatest, m", right(`${show(observed.measured.min)}, ${show(observed.measured.p50)}, ${show(observed.measured.max)}`)], [{ rock: `rocks of the model that ${ends_at_landing ? "landed" : "came to rest"}`, blast: "blasts of the model, each with its farthest rock", hole: "blasts of the model: one a row and trial, with its farthest rock" }[observed.per] ?? "values of the model", observed.values], ["left the domain or still moved (in no other number but those that name them)", observed.censored], ["failed", observed.lost],
     ["bias: model − measured, m", right(with_error(observed.bias, observed.bias_error))],
     ...(observed.across === null ? [] : [["bias across the way, m", right(with_error(observed.across, observed.across_error))]]),
     ["energy distance, m", observed.energy_distance],

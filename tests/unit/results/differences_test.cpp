@@ -119,7 +119,7 @@ TEST_CASE("Rocks are paired by trial, group and number in the group, also where 
   CHECK(differences.groups[2].unpaired == 0);
 }
 
-TEST_CASE("Censored pairs are counted apart, failed rocks have no partner") {
+TEST_CASE("A censored pair counts where its rock was last seen, failed rocks have no partner") {
   const TrialRecords first = rocks(30, 1, [](int t, int) { return t; });
   TrialRecords second = rocks(30, 1, [](int t, int) { return 2.0 * t; });
   second.rocks[3].censored = true;
@@ -130,14 +130,102 @@ TEST_CASE("Censored pairs are counted apart, failed rocks have no partner") {
   second.rocks[6].reason = StopReason::left_domain;
   second.rocks[6].decided_gates = second.rocks[6].decided_barriers = 1;
   const PointDifferences differences = compare(two_points(), first, second);
-  CHECK(of(differences, "runout").censored == 2);
-  CHECK(of(differences, "runout").pairs == 27);
+  const Difference& runout = of(differences, "runout");
+  CHECK(runout.censored == 2);
+  CHECK(runout.pairs == 29);
+  CHECK(runout.bound == DifferenceBound::at_least);
+  CHECK(runout.mean == Approx((435.0 - 4) / 29));
+  CHECK(std::isnan(runout.interval.lower));  // 2 of 29 are more than 5 %
   CHECK(differences.groups[0].unpaired == 2);
   const Difference& passed = of(differences, "gate.road.passed");
-  CHECK(passed.mean == Approx(1.0 / 28));
+  CHECK(passed.mean == Approx(1.0 / 29));
   CHECK(passed.censored == 1);  // the other one can no longer arrive
   CHECK(passed.interval.trials_needed > 0);
   CHECK(of(differences, "barrier.fence.caught").differing == 0);
+}
+
+TEST_CASE("The kind of censored pairs decides which bound a mean difference is") {
+  struct Case {
+    const char* name;
+    std::vector<int> at_0, at_1;  // censored trials
+    DifferenceBound bound;
+    std::uint64_t pairs, censored, left_out;
+    bool has_interval;
+    const char* text;
+  };
+  const std::vector<Case> cases = {
+      {"none", {}, {}, DifferenceBound::none, 40, 0, 0, true, "+5.5 m (95 % interval"},
+      {"at the point", {}, {1, 2}, DifferenceBound::at_least, 40, 2, 0, true, ">= +5.5 m (95 % interval"},
+      {"at point 0", {7}, {}, DifferenceBound::at_most, 40, 1, 0, true, "<= +5.5 m (95 % interval"},
+      {"many",
+       {},
+       {1, 2, 3},
+       DifferenceBound::at_least,
+       40,
+       3,
+       0,
+       false,
+       ">= +5.5 m (3 of 40 pairs are censored: they count where the rocks were last seen)"},
+      {"different pairs at both",
+       {1},
+       {2},
+       DifferenceBound::not_known,
+       40,
+       2,
+       0,
+       false,
+       "not known: 2 of 40 pairs are censored"},
+      {"both rocks of a pair",
+       {1},
+       {1},
+       DifferenceBound::not_known,
+       39,
+       1,
+       1,
+       false,
+       "not known: 1 of 40 pairs are censored"},
+  };
+  for (const Case& c : cases) {
+    INFO(c.name);
+    TrialRecords first = rocks(40, 1, [](int t, int) { return 10.0 * t; });
+    TrialRecords second = rocks(40, 1, [](int t, int) { return 10.0 * t + 5 + (t % 2); });
+    for (const int t : c.at_0) first.rocks[static_cast<std::size_t>(t)].censored = true;
+    for (const int t : c.at_1) second.rocks[static_cast<std::size_t>(t)].censored = true;
+    const Difference runout = of(compare(two_points(), first, second), "runout");
+    CHECK(runout.bound == c.bound);
+    CHECK(runout.pairs == c.pairs);
+    CHECK(runout.censored == c.censored);
+    CHECK(runout.left_out == c.left_out);
+    CHECK(std::isnan(runout.interval.lower) == !c.has_interval);
+    CHECK(std::isnan(runout.mean) == (c.bound == DifferenceBound::not_known));
+    CHECK(difference_text(runout).starts_with(c.text));
+  }
+}
+
+TEST_CASE("A mean difference over censored pairs bounds the true one in random tables") {
+  // Distances cut off at a random length, at one point, the other, or both.
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    INFO("seed " << seed);
+    std::mt19937 dice(seed);
+    std::lognormal_distribution<double> throws(4, 0.6), factor(0.1, 0.3);
+    std::uniform_real_distribution<double> cut(60, 300);
+    std::vector<double> x_0(80), x_1(80);
+    for (int t = 0; t < 80; ++t) x_1[t] = (x_0[t] = throws(dice)) * factor(dice);
+    const auto cut_off = [&](const std::vector<double>& x, bool is_cut) {
+      const double at = is_cut ? cut(dice) : 1e9;
+      TrialRecords records = rocks(80, 1, [&](int t, int) { return std::min(x[t], at); });
+      for (RockRecord& rock : records.rocks) rock.censored = rock.runout >= at;
+      return records;
+    };
+    const TrialRecords first = cut_off(x_0, seed % 3 != 0), second = cut_off(x_1, seed % 3 != 1);
+    const Difference runout = of(compare(two_points(), first, second), "runout");
+    double truth = 0;
+    for (int t = 0; t < 80; ++t) truth += (x_1[t] - x_0[t]) / 80;
+    if (runout.bound == DifferenceBound::none) CHECK(runout.mean == Approx(truth));
+    if (runout.bound == DifferenceBound::at_least) CHECK(runout.mean <= truth + 1e-9);
+    if (runout.bound == DifferenceBound::at_most) CHECK(runout.mean >= truth - 1e-9);
+    CHECK((runout.bound == DifferenceBound::none) == (runout.censored == 0));
+  }
 }
 
 TEST_CASE("Differences need rows, and say so") {
