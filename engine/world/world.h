@@ -239,6 +239,7 @@ class World {
 
   // held_contacts.cpp: which contacts a step holds, and what the search for touches knows of them
   Drift keep_closed_at_start(double h);
+  double opened(const Contact& contact) const;
   bool is_deep(const Contact& contact, double gap, bool at_start);
   bool has_circles(const Contact& contact) const;
   HeldContacts held_in_step(int body, int other);
