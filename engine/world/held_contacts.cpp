@@ -55,10 +55,10 @@ typename World<D>::Drift World<D>::keep_closed_at_start(double h) {
     const double may_drift = 3 * in_middle;
     if (c.at.gap > in_middle || gap > closed || (!c.carried && gap < -may_drift && !is_deep(c, gap, true)))
       return true;
-    // One that the last impact opened, and that is apart in the middle, is left to the search for touches.
+    // One that the last impact opened is held if it will come back so slowly that it stays; else it is left
+    // to first_touch, and collides where it returns.
     const bool yields = c.law.condition == NormalCondition::penalty;
-    if (!c.carried && !yields && c.at.gap > std::max(gap, 0.0) + step_share * size && has_same(last_, c))
-      return true;
+    if (!yields && opened(c) > settings_.rest_speed) return true;
     if (c.carried && !has_same(last_, c) && gap - c.at.gap > 3 * reach_within(h, c.candidate, c.antagonist) &&
         gap > closed_alone)
       return true;
@@ -73,6 +73,14 @@ typename World<D>::Drift World<D>::keep_closed_at_start(double h) {
     return false;
   });
   return drift;
+}
+
+/// How fast the last impact or step has opened a contact [m/s]; 0 if it did not.
+template <int D>
+double World<D>::opened(const Contact& contact) const {
+  for (std::size_t a = 0; a < last_.size(); ++a)
+    if (is_same(last_[a], contact)) return last_[a].carried ? 0.0 : std::max(0.0, last_after_[a][0]);
+  return 0;
 }
 
 /// Whether the contactors of a contact lie in each other now, or lay so at the start of the step, about as
@@ -156,7 +164,10 @@ std::optional<double> World<D>::first_return(double h) {
     const Contact& c = last_[a];
     if (c.law.condition == NormalCondition::penalty || has_circles(c) || has_same(contacts_, c)) continue;
     const double end = gap_at(c, false);
-    if (end > -step_share * contact_size(c.candidate, c.antagonist) || !is_deep(c, end, false)) continue;
+    const double sunk = opened(c) > settings_.rest_speed
+                            ? touch(c.candidate, c.antagonist)
+                            : step_share * contact_size(c.candidate, c.antagonist);
+    if (end > -sunk || !is_deep(c, end, false)) continue;
     const double start = std::max(gap_at(c, true), 0.0);
     const double opens = h * std::max(last_after_[a][0], 0.0);
     const double returns = h * std::max(soon, (start + opens) / (start + opens - end));
