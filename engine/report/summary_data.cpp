@@ -135,9 +135,8 @@ void forget_statistics(Json& point) {
   if (point.contains("trees")) forget_numbers(point["trees"], {"hits", "counts"});
   for (Json& clearance : point["clearance"]) {
     forget_numbers(clearance, {"clearance", "group", "probability", "per", "of", "count", "rocks_per_blast",
-                               "weight", "upper_bound", "needed", "confidence", "factor", "area", "area_least",
-                               "customary",
-                               "known_throw", "beyond_known_throw"});
+                               "weight", "upper_bound", "needed", "confidence", "factor", "area",
+                               "area_least", "customary", "known_throw", "beyond_known_throw"});
     if (clearance.contains("area")) clearance["area"]["sectors"] = Json::array();
     if (clearance.contains("area_least")) {
       forget_numbers(clearance["area_least"], {"probability", "effective"});
