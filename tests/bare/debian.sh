@@ -15,14 +15,15 @@ fail() { echo "test-bare: $*" >&2; exit 1; }
 has() { grep -qF "$1" "$2" || fail "no \`$1\` in $2"; }
 in_root() {
   root=$1; shift
-  chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C "$@"
+  chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C DEBIAN_FRONTEND=noninteractive "$@"
 }
 seconds() { date +%s; }
 
 release=bookworm
 mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' "Codename: $release" 'Component: main' | head -n 1)
 rm -rf "$folder"
-mkdir -p "$folder"
+mkdir -p "$folder/flyrock"
+tar -xC "$folder/flyrock"
 debootstrap --variant=minbase $release "$sources" $mirror > "$folder/debootstrap.log" || { cat "$folder/debootstrap.log"; exit 1; }
 cp -a "$sources" "$user"
 for root in "$sources" "$user"; do
@@ -31,11 +32,11 @@ for root in "$sources" "$user"; do
 done
 
 in_root "$sources" apt-get install -y -qq --no-install-recommends make > /dev/null 2>&1
-mkdir "$sources/flyrock"
-tar -xC "$sources/flyrock"
+mv "$folder/flyrock" "$sources/flyrock"
 start=$(seconds)
 in_root "$sources" npm_config_registry=http://127.0.0.1:9 make -C /flyrock demo > "$folder/demo.log" 2>&1 || { tail -n 40 "$folder/demo.log"; fail "make demo"; }
-echo "make demo: $(($(seconds) - start)) s"
+times > "$folder/times"
+echo "make demo: $(($(seconds) - start)) s, $(sed -n '2s/m.*//p' "$folder/times") minutes of processor time"
 grep -E '^(Installing|Compiling|npm|report)' "$folder/demo.log"
 has 'npm cannot fetch Plotly' "$folder/demo.log"
 has 'Plots are missing' "$sources/flyrock/out/benches_2d/report.html"
