@@ -7,6 +7,10 @@
 using namespace flyrock;
 using namespace flyrock::lab;
 
+namespace rock_of_test {
+
+using flyrock::lab::Material;
+
 namespace {
 
 /// Keeps what it is asked with.
@@ -49,7 +53,7 @@ void check_rock(const Body<2>& rock, const Body<2>& other) {
     INFO(rock.group << (rock_first ? " first" : " second"));
     Material material(0.5, 0);
     Probe probe;
-    Bench bench(ground(50), material, {}, {0, 0});
+    Bench bench(flyrock::lab::ground(50), material, {}, {0, 0});
     const auto [state, impact] =
         met<2>(bench, material, probe, rock_first ? rock : other, rock_first ? other : rock);
     CHECK(state.group_a == rock.group);
@@ -107,3 +111,5 @@ TEST_CASE("in 3D the smaller of two spheres bears rolling resistance by its own 
     CHECK(impact.body == (small_first ? 0 : 1));
   }
 }
+
+}  // namespace rock_of_test
