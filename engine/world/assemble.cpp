@@ -156,10 +156,7 @@ void World<D>::measure_before(double h) {
     contact.before = relative_velocity(contact);
     contact.turning.setZero();
     contact.lasts = false;
-    if (h == 0) {
-      contact.bends.setZero();  // velocities jump
-      continue;
-    }
+    if (h == 0) continue;
     Turning turning = turning_of(contact, 0, h);
     if (turning.bends && !gains_.empty()) turning = turning_of(contact, late * h, h);
     const double in_middle = contact.approach();
@@ -209,15 +206,12 @@ void World<D>::assemble(double h, double warm) {
     if (bodies[contact.candidate].moves()) contacts_of_[contact.candidate].push_back(a);
     if (contact.antagonist >= 0 && bodies[contact.antagonist].moves())
       contacts_of_[contact.antagonist].push_back(a);
-    impulses_.push_back(warm * contact.impulse);
-    contact.lead = contact.manifold < 0 ? Row(h * h * contact.bends) : Row::Zero();
-    if (!contact.lead.isZero(0)) push(a, contact.lead);
-  }
-  for (const Contact& contact : contacts_) {
+
     typename Problem::Contact row;
     row.q = relative_velocity(contact) + settings_.theta * h * contact.turning;
     row.w.setZero();
     problem_.contacts.push_back(row);
+    impulses_.push_back(warm * contact.impulse);
   }
   if (problem_.width() == D)
     couple<D>();

@@ -28,16 +28,12 @@ double World<D>::step_length() {
 
 /// For how many usual phases the error of a step acts. Where a contact turns (swings in a drum, a ball on a
 /// turntable, a rock on a crest), errors add up over a phase that nothing ends, and go on in the flight from
-/// a crest. Where friction turns, they have added up since the contact closed. At least 1; what hardly turns
-/// does not count.
+/// a crest. At least 1; what hardly turns does not count.
 template <int D>
 double World<D>::phases_so_far() const {
-  constexpr double hardly = 0.01;     // of g, or of friction in a usual phase
+  constexpr double hardly = 0.01;     // of g
   constexpr double usual_flight = 1;  // s, from a crest
   double longest = usual_phase;
-  for (const Contact& c : contacts_)
-    if (c.lead.norm() * usual_phase > hardly * c.impulse.norm() * theta_h_ / settings_.theta)
-      longest = std::max(longest, c.age);
   for (const Contact& c : contacts_)
     if (c.lasts && c.impulse[0] > 0 && c.turning.template head<D>().norm() > hardly * g_)
       longest = std::max(longest, c.age + usual_flight);
@@ -93,14 +89,12 @@ double World<D>::sunk_rims() const {
   return deepest;
 }
 
-/// The velocity error of each body due to friction [m/s] (plus that of its spin times the radius). Friction
-/// and rolling resistance have the direction of the end of the step and the coefficients of its start, and
-/// contact.lead corrects them to those of the middle, as the last step has changed. What this step shows is
-///   1/2 |r| (e - e_before) - 1/2 (mu - mu_before) r_n e
-/// with the directions e after the step and before it. What lead misses of it is the error. If it is smooth,
-/// it is multiplied by the number of steps in half a phase, because it recurs in the other steps of the
-/// phase, and the next step expects it. A contact that ends at rest causes no error, because the solver finds
-/// the impulse that stops it. Reads after_.
+/// The velocity error of each body due to friction [m/s]: half of the change of its velocity (plus that of
+/// its spin times the radius) if friction and rolling resistance had the direction of the start of the step
+/// instead of its end, or the coefficients of the last step. A contact that ends at rest causes no error,
+/// because the solver finds the impulse that stops it. If the direction turns smoothly, the error is
+/// multiplied by the number of steps in half a phase, because it recurs in the other steps of the phase.
+/// Reads after_.
 template <int D>
 std::span<const double> World<D>::doubt_of_friction(double h) {
   constexpr double at_rest = 1e-6;  // of the speed of the contact or of its bodies, or of the speed of rest
@@ -110,45 +104,38 @@ std::span<const double> World<D>::doubt_of_friction(double h) {
     return i < 0 ? 0 : starts_[i].v.norm() + bodies[i].radius * spin_speed(starts_[i].w);
   };
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
-    Contact& contact = contacts_[a];
-    contact.bends.setZero();
+    const Contact& contact = contacts_[a];
     if (contact.impulse[0] <= 0) continue;
     const Row& after = after_[a];
-    Row missed = Row::Zero();
-    // Of the rows from `first` on: friction of `count` rows, and how its bound has changed.
-    const auto turn = [&](int first, int count, double usual, double bound, double bound_before) {
+    Row half = Row::Zero();
+    const auto doubt = [&](int first, int count, double impulse, const auto& change) {
+      const double times = change.norm() < smooth ? std::max(1.0, 0.5 * usual_phase / h) : 1;
+      half.segment(first, count) += 0.5 * times * impulse * change;
+    };
+    const auto turn = [&](int first, int count, double usual) {
+      const double impulse = contact.impulse.segment(first, count).norm();
+      if (impulse == 0) return;
       const auto from = contact.before.segment(first, count), to = after.segment(first, count);
       const double slow = from.norm(), fast = to.norm(), still = at_rest * std::max({slow, fast, usual});
-      if (fast <= still) return;
-      const double impulse = contact.impulse.segment(first, count).norm();
-      Row change = Row::Zero();
-      auto part = change.segment(first, count);
-      if (slow > still) part = 0.5 * impulse * (to / fast - from / slow);
-      part -= 0.5 * (bound - bound_before) / fast * to;
-      if (part.norm() == 0) return;
-      if (part.norm() >= 0.5 * smooth * std::max(impulse, bound)) {
-        missed.segment(first, count) += part;
-      } else {
-        contact.bends.segment(first, count) = part / (h * h);
-        missed.segment(first, count) +=
-            std::max(1.0, 0.5 * usual_phase / h) * (part - contact.lead.segment(first, count));
-      }
+      if (fast <= still || slow <= still) return;
+      doubt(first, count, impulse, (to / fast - from / slow).eval());
     };
     const double speed =
         std::max({speed_of(contact.candidate), speed_of(contact.antagonist), settings_.rest_speed});
     const double spin = speed / bodies[contact.candidate].radius;
-    double bound = 0, bound_before = 0;
-    if (contact.carried && tangential(after).norm() > at_rest * tangential(contact.before).norm()) {
-      bound = contact.mu() * contact.impulse[0] + h * contact.law.c_t;
-      bound_before = contact.mu_before * contact.impulse[0] + h * contact.c_t_before;
+    turn(1, D - 1, speed);
+    const double slip = tangential(after).norm();
+    if (contact.carried && slip > at_rest * tangential(contact.before).norm()) {
+      const double bound = contact.mu() * contact.impulse[0] + h * contact.law.c_t;
+      const double bound_before = contact.mu_before * contact.impulse[0] + h * contact.c_t_before;
+      if (bound > 0) doubt(1, D - 1, bound, ((1 - bound_before / bound) / slip * tangential(after)).eval());
     }
-    turn(1, D - 1, speed, bound, bound_before);
-    if constexpr (D == 3) turn(D, 1, spin, 0, 0);
-    turn(Problem::rows - (D - 1), D - 1, spin, 0, 0);
-    if (missed.isZero(0)) continue;
+    if constexpr (D == 3) turn(D, 1, spin);
+    turn(Problem::rows - (D - 1), D - 1, spin);
+    if (half.isZero(0)) continue;
     for_bodies(a, [&](int i, const auto& columns) {
       if (!bodies[i].moves()) return;
-      const typename Body<D>::Rows change = bodies[i].inverse_mass_times(columns * missed);
+      const typename Body<D>::Rows change = bodies[i].inverse_mass_times(columns * half);
       doubt_[i] +=
           change.template head<D>().norm() + bodies[i].radius * change.tail(change.size() - D).norm();
     });

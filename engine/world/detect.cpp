@@ -207,7 +207,6 @@ void World<D>::match_last() {
       contact.history = found->history;
       contact.stretch = found->stretch;
       contact.age = found->age;
-      contact.bends = found->bends;
       contact.carried = found->carried;
       contact.sticking = found->sticking;
     }

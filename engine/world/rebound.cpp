@@ -85,21 +85,13 @@ void World<D>::solve_and_apply() {
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     Contact& contact = contacts_[a];
     contact.impulse = impulses_[a];
-    push(a, contact.impulse);
-    for_bodies(a, [&](int i, const auto&) {
+    for_bodies(a, [&](int i, const auto& columns) {
+      bodies[i].add_velocity(bodies[i].inverse_mass_times(columns * contact.impulse));
       if (bodies[i].breathes())
         bodies[i].breathing.now.rate += mobility_of_shape(i) * bodies[i].breathing.side * contact.impulse[0];
       unsolved_[i] = {result.residual, time};
     });
   }
-}
-
-/// Gives the bodies of contact a an impulse [N s, N m s].
-template <int D>
-void World<D>::push(std::size_t a, const Row& impulse) {
-  for_bodies(a, [&](int i, const auto& columns) {
-    bodies[i].add_velocity(bodies[i].inverse_mass_times(columns * impulse));
-  });
 }
 
 /// The velocity of contact a at the end of a step of length h (0: an impact).
@@ -123,8 +115,7 @@ void World<D>::measure_after(double h) {
 /// The work of contact a on its bodies in an impact or step [J].
 template <int D>
 double World<D>::energy_of(int a) const {
-  const Contact& contact = contacts_[a];
-  return 0.5 * (contact.impulse + contact.lead).dot(contact.before + after_[a]);
+  return 0.5 * contacts_[a].impulse.dot(contacts_[a].before + after_[a]);
 }
 
 /// Finds shocks without collision (Painleve): no contact of the island approaches, but the velocity of a
@@ -238,7 +229,6 @@ Vec<D> World<D>::stretch_after(int a, double duration) const {
   template void World<D>::apply_laws(double);              \
   template void World<D>::solve_and_apply();               \
   template void World<D>::measure_after(double);           \
-  template void World<D>::push(std::size_t, const Row&);   \
   template double World<D>::energy_of(int) const;          \
   template void World<D>::find_shocks(double);             \
   template void World<D>::record_impacts();                \

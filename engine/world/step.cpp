@@ -119,8 +119,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     drift(theta * h);
     measure_after(h);
     if (chooses && refusals++ < most_refusals) {
-      const auto of_friction = doubt_of_friction(h);
-      error = phases_so_far() * control_.error(bodies, starts_, of_friction, h);
+      error = phases_so_far() * control_.error(bodies, starts_, doubt_of_friction(h), h);
       error = std::max({error, walked_ * walked_, sunk_rims()});
       const double of_springs = longest_of_springs();
       const double fits = error > 1 ? StepControl<D>::shorter(h, error) : h;

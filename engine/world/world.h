@@ -48,13 +48,8 @@ struct WorldContact {
   Row before = Row::Zero();   ///< velocity at the start of the step or impact
   Row turning = Row::Zero();  ///< acceleration of its velocity by geometry alone (World::turning_of)
   bool lasts = false;         ///< it turns in a way that may go on for long (World::Turning)
-  /// N s, N m s: what friction and rolling resistance add in the middle of the step to those of its end (of
-  /// the solver, in `impulse`), because their direction or bound changes
-  Row lead = Row::Zero();
-  /// N/s, N m/s: what `lead` of the last step should have been, divided by the square of its length
-  Row bends = Row::Zero();
-  double mu_before = 0;   ///< coefficient of friction in the last step, if the contact is carried on
-  double c_t_before = 0;  ///< N, its tangential cohesion
+  double mu_before = 0;       ///< coefficient of friction in the last step, if the contact is carried on
+  double c_t_before = 0;      ///< N, its tangential cohesion
   Vec<D> stretch = Vec<D>::Zero();  ///< m, of the tangential spring of `penalty` at the end of the last step
   double born = 0;                  ///< m, the overlap from which a spring counts (World::overlap_at_birth)
   double age = 0;                   ///< s since the contact closed
@@ -319,7 +314,6 @@ class World {
   void find_shocks(double h);
   void record_impacts();
   double energy_of(int a) const;
-  void push(std::size_t a, const Row& impulse);
   bool stays_closed(int a, double duration) const;
   Vec<D> stretch_after(int a, double duration) const;
 
