@@ -55,10 +55,11 @@ typename World<D>::Drift World<D>::keep_closed_at_start(double h) {
     const double may_drift = 3 * in_middle;
     if (c.at.gap > in_middle || gap > closed || (!c.carried && gap < -may_drift && !is_deep(c, gap, true)))
       return true;
-    // One that the last impact opened is held if it will come back so slowly that it stays; else it is left
-    // to first_touch, and collides where it returns.
+    // One that the last impact opened and that is apart in the middle is held if it will come back so slowly
+    // that it stays; else it is left to first_touch, and collides where it returns.
     const bool yields = c.law.condition == NormalCondition::penalty;
-    if (!yields && opened(c) > settings_.rest_speed) return true;
+    const bool is_apart = c.at.gap > std::max(gap, 0.0) + step_share * size;
+    if (!yields && is_apart && opened(c) > settings_.rest_speed) return true;
     if (c.carried && !has_same(last_, c) && gap - c.at.gap > 3 * reach_within(h, c.candidate, c.antagonist) &&
         gap > closed_alone)
       return true;
