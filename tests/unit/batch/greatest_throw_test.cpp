@@ -88,7 +88,8 @@ TEST_CASE("Of a sweep the point that falls shortest is named") {
   CHECK(found[0].find("(point 2)") != std::string::npos);
 }
 
-TEST_CASE("The quarry's scenarios have one k a site and fly their distance models as they were fitted") {
+TEST_CASE("The quarry's scenarios have one k a site and fly their distance models as they were fitted",
+          "[slow]") {
   int seen = 0;
   for (const auto& entry : fs::directory_iterator(FLYROCK_SOURCE_DIR "/scenarios/quarry")) {
     if (entry.path().extension() == ".csv") continue;  // a table of a scenario
