@@ -151,7 +151,7 @@ std::vector<std::string> solver_warnings(const Plan& plan, const std::vector<Poi
                                    quality.energy_gains == 1 ? "" : "s", quality.energy_gained));
   if (quality.gains_by_slip > 0)
     warnings.push_back(
-        fmt::format("solver: {} impact{} gained energy because slip stopped or reversed, {:.3g} J together: "
+        fmt::format("solver: {} impact{} gained energy because slip ended or reversed, {:.3g} J together: "
                     "a property of the "
                     "form `newton` with friction; `poisson`, `energy` and `newton_mean` do not gain",
                     quality.gains_by_slip, quality.gains_by_slip == 1 ? "" : "s", quality.gained_by_slip));

@@ -198,7 +198,7 @@ function solver_section() {
       ["greatest swing of a spring", s.max_spring_angle === null ? null : (s.max_spring_angle * 180) / Math.PI, "deg", "of `penalty`, in one step: bounces are inaccurate above 28.6 deg and gain energy above 115 deg"],
       ["energy gains", s.energy_gains, "", "impacts that made energy beyond rounding; should be 0"],
       ["energy gained", s.energy_gained, "J", "by them, together"],
-      ["gains by slip", s.gains_by_slip, "", "impacts of form `newton` that made energy because slip stopped or reversed, a property of the form; not among the energy gains"],
+      ["gains by slip", s.gains_by_slip, "", "impacts of form `newton` that made energy because slip ended or reversed, a property of the form; not among the energy gains"],
       ["energy gained by slip", s.gained_by_slip, "J", "by them, together"],
       ["endless impacts", s.endless_impacts, "", "instants of more than 1,000 impacts; the rest of them had e = 0"],
       ["relative change of energy", s.energy_relative_change, "", "of the total (height counts from y = 0) from start to end, of the rock where it is greatest"],
