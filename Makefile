@@ -81,7 +81,7 @@ build-%: deps-build
 	cmake --build --preset $* -j $(JOBS) $(if $(TARGETS),--target $(TARGETS))
 
 # Measured with GCC 12 on x86-64.
-BUILD_MINUTES := 13
+BUILD_MINUTES := 10
 estimate:
 	@[ -e build/bench/bin/flyrock ] || echo "Compiling takes about $(BUILD_MINUTES) minutes of processor time:" \
 	  "$$((($(BUILD_MINUTES) + $(JOBS) - 1) / $(JOBS))) minutes with the $(JOBS) processors of this machine."
