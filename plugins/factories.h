@@ -3,19 +3,9 @@
 
 #include <memory>
 
-namespace flyrock {
+#include "plugin/registry.h"
 
-class Params;
-class ShapeModel;
-class Population;
-class RestitutionLaw;
-class FrictionLaw;
-class RollingLaw;
-class UnilateralLaw;
-class VelocityModel;
-class TerrainModel;
-
-namespace plugins {
+namespace flyrock::plugins {
 
 std::unique_ptr<ShapeModel> make_disk(Params& params);
 std::unique_ptr<ShapeModel> make_polygon(Params& params);
@@ -58,5 +48,4 @@ std::unique_ptr<TerrainModel> make_plane(Params& params);
 std::unique_ptr<TerrainModel> make_mesh(Params& params);
 std::unique_ptr<TerrainModel> make_raster(Params& params);
 
-}  // namespace plugins
-}  // namespace flyrock
+}  // namespace flyrock::plugins

@@ -9,7 +9,6 @@
 namespace flyrock {
 
 struct Plan;
-
 struct Value;
 
 /// The number of rocks (or blasts) that a clearance needs: so many that 10 of them are expected beyond it.

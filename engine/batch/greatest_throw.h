@@ -8,7 +8,6 @@
 namespace flyrock {
 
 struct Plan;
-
 struct Value;
 
 /// Richards-Moore, McKenzie and Lundborg fitted the greatest throw observed in air, at 45 degrees (ejected

@@ -92,11 +92,11 @@ const point_name = (point) => {
 };
 /** A gate or barrier as the shown group of rocks meets it. */
 const of_group = (place) => (shown.group === 0 ? place : { ...place, ...place.groups[shown.group - 1] });
-/** "12.3 % (10.1 to 14.8)" of { share, interval, lower_bound } in summary.json; without an interval there are too few trials. */
 /** What bounds say of a probability per blast: the upper one, or both where they do not tell it. */
 const between = (p) => (p.telling_weight === null ? percent(p.share) : `between ${in_percent(p.lower)} and ${percent(p.upper)}, weight ${show(p.telling_weight)}${p.telling_weight > 1 ? " or less" : ""} would tell`);
 /** The same with its interval, of a share of trials. */
 const bounds_text = (s) => (s.share === null || s.telling_weight === null ? share_text(s) : `${s.lower_bound ? "≥ " : ""}${between(s)} (${in_percent(s.interval[0])} to ${in_percent(s.interval[1])})`);
+/** "12.3 % (10.1 to 14.8)" of { share, interval, lower_bound } in summary.json; without an interval there are too few trials. */
 const share_text = (s) => (s.share === null ? "–" : `${s.lower_bound ? "≥ " : ""}${s.interval[0] === null ? `${percent(s.share)} (too few trials)` : with_interval(s.share, s.interval)}`);
 const shown_group = () => summary.points[shown.point].rocks[shown.group];
 /** "blocks, point 3: mu = 0.4": what a plot shows, for its caption and for print. */
