@@ -6,6 +6,9 @@
 
 namespace flyrock {
 
+struct Plan;
+struct Value;
+
 /// A weight from which on the bounds of a probability may lie apart by more than a factor of 1.2
 /// (results/blast_bounds.h): they lie apart by up to the weight.
 inline constexpr double harmless_weight = 1.2;
