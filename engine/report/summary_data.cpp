@@ -423,6 +423,12 @@ Json quality_data(const SolverQuality& q) {
           {"gained_by_slip", number(q.gained_by_slip)},
           {"endless_impacts", q.endless_impacts},
           {"shocks", q.shocks},
+          {"dense_steps", q.dense_steps},
+          {"dense_unfinished", q.dense_unfinished},
+          {"dense_residual", number(q.dense_residual)},
+          {"unsolved_depth", number(q.unsolved_depth)},
+          {"theta_loss", number(q.theta_loss)},
+          {"projection_energy", number(q.projection_energy)},
           {"energy_relative_change", number(q.energy_relative_change)}};
 }
 

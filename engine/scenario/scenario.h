@@ -314,6 +314,14 @@ inline constexpr double beyond_known_throw = 1.5;
 
 enum class FlightMode { exact, stepped };
 
+/// Dense steps (world/dense_step.cpp): when they are made, and what they take where the scenario gives nothing.
+struct DensePlan {
+  std::string bodies = "auto";  ///< or "exact", "dense"
+  double time_step = 4e-3;  ///< s
+  double tolerance = 1e-4;
+  int max_iterations = 100;
+};
+
 struct SolverPlan {
   std::string name = "auto";        ///< solver/solve_settings.h
   std::optional<double> time_step;  ///< s; absent: chosen by error (world/step_control.h)
@@ -324,6 +332,7 @@ struct SolverPlan {
   FlightMode flight = FlightMode::exact;
   bool one_by_one = false;   ///< impacts at one instant, not together
   double rest_speed = 0.02;  ///< m/s
+  DensePlan dense;
 };
 
 struct StopPlan {

@@ -547,6 +547,10 @@ std::vector<SectionSpec> make_sections() {
         or_else(choice("impacts", {"together", "one_by_one"},
                        "contacts that close at one instant: one problem, or the fastest first, each alone"),
                 "together"),
+        or_else(choice("bodies", {"auto", "exact", "dense"},
+                       "how bodies that touch move: each touch at its instant, dense steps of 4 ms (or "
+                       "`time_step`), or dense from 40 contacts of one island on"),
+                "auto"),
         or_else(at_least(number("rest_speed", "m/s", "below which a contact closes without restitution"), 0),
                 0.02)},
        {}},
