@@ -7,8 +7,8 @@
 
 namespace flyrock {
 
-/// The sources of `loaded` without the manifests of those plugins of flyrock that are no `type` of the resolved
-/// scenario.
+/// The sources of `loaded` without the manifests of those plugins of flyrock that are no `type` of the
+/// resolved scenario.
 std::vector<SourceHash> used_sources(const LoadedScenario& loaded);
 
 }  // namespace flyrock
