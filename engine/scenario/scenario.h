@@ -274,8 +274,9 @@ struct ClearancePlan {
   int sectors = 0;                         ///< 3D: number of sectors by azimuth; 0: no sectors
   bool least_area = false;                 ///< 3D: also the area of least size
   double radius = 0;                       ///< m, of its kernel; 0: chosen (results/least_area.h)
-  std::optional<double> customary = {};    ///< m, the legal or customary distance, to stand beside it
+  std::optional<double> customary = {};    ///< m, the legal or customary distance: the limit of the distance
   std::optional<double> known_throw = {};  ///< m, the farthest throw that is known of the site
+  std::optional<double> blasts_per_year = {};
   std::optional<Vec2> about =
       {};  ///< m: origin of distances and azimuths; absent: distances from the hull of all release places
 
@@ -299,7 +300,8 @@ struct ExposurePlan {
   double occupied = 1;     ///< part of the time in which someone is there, on a line in each of its lengths
   bool is_stream = false;  ///< of vehicles, by `vehicles_per_hour`
   double blasts_per_year = 1;
-  double energy = 0;  ///< J, of the landings that count
+  std::optional<double> limit_per_blast = {}, limit_per_year = {};  ///< probabilities that the user allows
+  double energy = 0;                                                ///< J, of the landings that count
 
   /// A stream of vehicles on a line.
   bool has_traffic() const { return is_stream && !line.empty(); }
@@ -398,7 +400,8 @@ struct AnswerPlan {
 
 /// Who asked for a run and who answers for it, as the head of the report says.
 struct DocumentPlan {
-  std::string number, site, client, author, date;  ///< empty: not given
+  std::string number, site, client, author, date, checked_by, revision;  ///< empty: not given
+  bool signature = false;                                                ///< lines to sign on
 };
 
 struct Scenario;

@@ -5,7 +5,7 @@ function gate_plots(gates) {
   return gates.filter((g) => g.along && g.along.rocks.length > 0).flatMap((g) => {
     const node = element("div"), { bin_m, from_m, rocks } = g.along;
     queueMicrotask(() => plot(node, [{ type: "bar", x: rocks.map((_, i) => from_m + (i + 0.5) * bin_m), y: rocks, marker: { color: colour.blue }, hovertemplate: `%{x:.0f} m: %{y}<extra></extra>` }],
-      { height: 220, bargap: 0, xaxis: axis(g.line ? "m along the line" : "y in m"), yaxis: axis("rocks") }, true));
+      { height: 220, bargap: 0, xaxis: place_axis(g.line ? "m along the line" : "y in m"), yaxis: axis("rocks") }, true));
     return [paragraph("note", `Where rocks arrive at gate ${g.gate}:`), node];
   });
 }
