@@ -82,9 +82,10 @@ class BarPicture {
   std::string svg_;
 };
 
-/// Total indices, the first order inside.
+/// Total indices, the first order inside, of the inputs that move the number.
 std::string index_bars(const ExplainedVariance& found, const ExplainedNumber& number) {
-  const std::vector<std::size_t> order = ranked(number.indices);
+  std::vector<std::size_t> order = ranked(number.indices);
+  std::erase_if(order, [&](std::size_t i) { return !(number.indices.inputs[i].total > 0); });
   const std::size_t bars = std::min(order.size(), most_bars);
   BarPicture picture("total indices, with the first order inside", 0, 1, bars);
   for (const double tick : {0.0, 0.25, 0.5, 0.75, 1.0}) picture.rule(tick, whole_percent(tick));

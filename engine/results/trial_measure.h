@@ -16,6 +16,7 @@
 
 #include "record/records.h"
 #include "results/statistics.h"
+#include "results/unknown.h"
 #include "scenario/scenario.h"
 
 namespace flyrock {
