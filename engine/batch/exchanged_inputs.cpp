@@ -69,16 +69,15 @@ std::string why_not_read(const Plan& plan, const Draw& draw) {
   return {};
 }
 
-/// The streams of a name: its own, or all below it.
-Names streams_named(const Names& all, const std::string& name) {
-  if (has(all, name)) return {name};
-  Names below;
+/// The streams of a name: its own and all below it, without those that are named apart.
+Names streams_named(const Names& all, const std::string& name, const Names& apart) {
+  Names streams;
   for (const std::string& stream : all)
-    if (stream.starts_with(name + ".")) below.push_back(stream);
-  if (below.empty())
+    if (stream == name || (stream.starts_with(name + ".") && !has(apart, stream))) streams.push_back(stream);
+  if (streams.empty())
     throw std::invalid_argument(
         fmt::format("the scenario draws from no stream `{}`{}", name, did_you_mean(name, all)));
-  return below;
+  return streams;
 }
 
 void refuse_twice(const std::vector<ExchangedInput>& inputs) {
@@ -112,11 +111,12 @@ ExchangedInputs exchanged_inputs(const Plan& plan, const InputChoice& choice) {
   ExchangedInputs found;
   found.once_a_run = once_a_run(scenario);
   const Names all = streams_of(scenario);
-  Names grouped;
+  Names grouped, named = choice.inputs;
+  for (const auto& [name, members] : choice.groups) named.insert(named.end(), members.begin(), members.end());
   for (const auto& [name, members] : choice.groups) {
     ExchangedInput group{name, {}};
     for (const std::string& member : members)
-      for (const std::string& stream : streams_named(all, member)) add(group.streams, stream);
+      for (const std::string& stream : streams_named(all, member, named)) add(group.streams, stream);
     grouped.insert(grouped.end(), group.streams.begin(), group.streams.end());
     found.inputs.push_back(std::move(group));
   }
@@ -127,7 +127,8 @@ ExchangedInputs exchanged_inputs(const Plan& plan, const InputChoice& choice) {
       found.not_read.push_back({draw->stream, why});
   }
   if (!choice.inputs.empty()) {
-    for (const std::string& name : choice.inputs) found.inputs.push_back({name, streams_named(all, name)});
+    for (const std::string& name : choice.inputs)
+      found.inputs.push_back({name, streams_named(all, name, named)});
   } else {
     Names names;
     for (const Draw* draw : draws_of(scenario))

@@ -39,7 +39,8 @@ std::vector<std::string> streams_of(const Scenario& scenario);
 
 /// The inputs of a scenario. By default each draw that something reads, a population that is not
 /// `independent`, the place of a random release, a random orientation of a rock that is no point, the
-/// branches; then everything else. A name stands for its stream, or for all streams below it ("rocks.face").
+/// branches; then everything else. A name stands for its stream and
+/// all streams below it ("rocks.face") that are not named apart.
 /// Throws std::invalid_argument for a name without a stream, or a stream in two inputs.
 ExchangedInputs exchanged_inputs(const Plan& plan, const InputChoice& choice);
 

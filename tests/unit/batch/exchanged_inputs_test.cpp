@@ -63,6 +63,11 @@ TEST_CASE("a name stands for the streams below it, and two inputs share none") {
   CHECK(names_of(found) == std::vector<std::string>{"loose rock", "blast.burden", everything_else});
   CHECK(has(found.inputs[0].streams, "rocks.loose.release"));
   CHECK(has(found.inputs[0].streams, "rocks.loose.launch.speed"));
+  const ExchangedInputs apart = exchanged_inputs(
+      benches.plan, {.inputs = {"rocks.loose.launch", "rocks.loose.launch.speed"}, .groups = {}});
+  CHECK(has(apart.inputs[0].streams, "rocks.loose.launch"));
+  CHECK(has(apart.inputs[0].streams, "rocks.loose.launch.elevation"));
+  CHECK_FALSE(has(apart.inputs[0].streams, "rocks.loose.launch.speed"));
   const auto refused = [&](const InputChoice& choice, const std::string& text) {
     try {
       exchanged_inputs(benches.plan, choice);
@@ -72,7 +77,7 @@ TEST_CASE("a name stands for the streams below it, and two inputs share none") {
     }
   };
   refused({.inputs = {"blast.burdn"}, .groups = {}}, "did you mean `blast.burden`?");
-  refused({.inputs = {"blast.burden", "blast"}, .groups = {}}, "stands in two inputs");
+  refused({.inputs = {"blast.burden"}, .groups = {{"hole", {"blast.burden"}}}}, "stands in two inputs");
   refused({.inputs = {"rocks.loose", "rocks.loose"}, .groups = {}}, "two inputs are called `rocks.loose`");
 }
 
