@@ -74,6 +74,7 @@ std::optional<List> read_rows_of_table(const Node& table, const std::string& fil
   auto source = std::make_shared<Source>();
   source->name = *table.value->text();
   for (std::string line; std::getline(stream, line);) source->lines.push_back(line);
+  const std::size_t errors_before = diagnostics.errors_given();
   List rows;
   std::vector<Head> heads;
   char separator = ',';
@@ -95,7 +96,7 @@ std::optional<List> read_rows_of_table(const Node& table, const std::string& fil
       diagnostics.error(
           at, table.path,
           fmt::format("has {} values, expected {} as there are heads", cells.size(), heads.size()));
-      return std::nullopt;
+      continue;
     }
     Map row;
     for (std::size_t k = 0; k < cells.size(); ++k)
@@ -105,6 +106,7 @@ std::optional<List> read_rows_of_table(const Node& table, const std::string& fil
     value.data = std::move(row);
     rows.push_back(std::move(value));
   }
+  if (diagnostics.errors_given() != errors_before) return std::nullopt;
   if (rows.empty()) {
     table.error(diagnostics,
                 fmt::format("{} has no rows, expected a line of paths and a line for each point", file));

@@ -116,6 +116,10 @@ TEST_CASE("rows that fit nowhere are errors at their place") {
   CHECK(load(blast + "sweep: { table: points.csv }\n", "blast.burden,gravity\n2\n")
             .messages.find("points.csv:2:1: error: sweep.table: has 1 values, expected 2") !=
         std::string::npos);
+  const std::string two =
+      load(blast + "sweep: { table: points.csv }\n", "blast.burden,gravity\n2\n3,9.8\n4\n").messages;
+  CHECK(two.find("points.csv:2:1: error") != std::string::npos);  // a line each
+  CHECK(two.find("points.csv:4:1: error") != std::string::npos);
   CHECK(load(blast + "sweep: { design: grid }\n").messages.find("design") != std::string::npos);
 }
 
