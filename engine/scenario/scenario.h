@@ -428,7 +428,7 @@ struct Scenario {
   DocumentPlan document;
   int dimension = 2;
   Method method = Method::nscd;
-  std::uint64_t seed = 1;
+  Streams streams;
   std::uint64_t trials = 1;  ///< of all runs
   std::uint64_t outer = 1;   ///< runs with equally many trials each, one after the other (results/outer.h)
   bool rock_contacts = false;
