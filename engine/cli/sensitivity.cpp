@@ -113,8 +113,7 @@ int carry_out_sensitivity(const SensitivityJob& job, LoadedScenario& loaded, con
   options.print = [&](const std::vector<std::string>& lines) { bar.write(lines); };
   const RunOutcome outcome = run_chunks(chunks, analysis_workers(loaded, analysis, job.request), options);
   if (outcome.ending == RunEnding::interrupted) {
-    tell("interrupted after {} of {} trials; what was done is kept in {}, --resume goes on\n",
-         trials_in(outcome.chunks), outcome.progress.total, folder.chunks().string());
+    tell_interrupted(trials_in(outcome.chunks), outcome.progress.total, folder.chunks().string());
     return interrupted;
   }
   if (!outcome.why.empty()) {

@@ -146,7 +146,7 @@ void World<D>::foresee_touches(double h) {
     Contact& c = contacts_[a];
     c.touch = 0;
     Row& gain = gained_in_step_[a] = relative_velocity(c) - c.before;
-    const double t = travel_times(-std::max(0.0, c.at.gap), c.before[0], gain[0] / h)[0];
+    const double t = travel_times(std::max(0.0, c.at.gap), -c.before[0], -gain[0] / h)[0];
     const Row at_touch = c.before + t / h * gain;
     c.stays_apart = !(t <= h && at_touch[0] < -settings_.rest_speed);
     if (c.stays_apart) continue;
@@ -208,7 +208,7 @@ void World<D>::move_densely(double h) {
       body.displace(t * (before + 0.5 * t / h * gain) + (h - t) * (after - 0.5 * (h - t) / h * gain));
     } else {
       body.displace(h * after);
-      theta_loss_ += 0.5 * h * body.mass * gravity_.dot(starts_[i].v - body.v);
+      theta_loss_ += 0.5 * h * body.mass * gravity_.dot(body.v - starts_[i].v);
     }
   }
 }
