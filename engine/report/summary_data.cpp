@@ -17,6 +17,7 @@
 #include "results/fault_line.h"
 #include "results/lost.h"
 #include "results/weights.h"
+#include "scenario/derived_inputs.h"
 #include "scenario/plan.h"
 
 namespace flyrock {
@@ -438,6 +439,12 @@ Json quality_data(const SolverQuality& q) {
           {"gained_by_slip", number(q.gained_by_slip)},
           {"endless_impacts", q.endless_impacts},
           {"shocks", q.shocks},
+          {"dense_steps", q.dense_steps},
+          {"dense_unfinished", q.dense_unfinished},
+          {"dense_residual", number(q.dense_residual)},
+          {"unsolved_depth", number(q.unsolved_depth)},
+          {"theta_loss", number(q.theta_loss)},
+          {"projection_energy", number(q.projection_energy)},
           {"energy_relative_change", number(q.energy_relative_change)}};
 }
 
@@ -503,6 +510,21 @@ Json document_data(const DocumentPlan& head) {
   return data;
 }
 
+/// The derived numbers of the blast, with the medians of distributions, and what each is made of.
+Json derived_data(const BlastPlan& plan) {
+  const DerivedNumbers numbers = typical_derived(plan);
+  Json list = Json::array();
+  for (std::size_t d = 0; d < derived_count; ++d)
+    if (std::isfinite(numbers[d])) {
+      const auto derived = static_cast<Derived>(d);
+      list.push_back({{"path", path_of(derived)},
+                      {"value", numbers[d]},
+                      {"unit", derived_infos()[d].unit},
+                      {"of", paths_made_of(plan, derived)}});
+    }
+  return list;
+}
+
 /// The design of the blast, with the medians of distributions; null if the scenario does not give enough.
 Json blast_data(const BlastPlan& plan) {
   const BlastDesign& design = plan.design;
@@ -517,7 +539,8 @@ Json blast_data(const BlastPlan& plan) {
           {"burden_m", number(plan.typical[BlastField::burden])},
           {"scaled_depth_of_burial_m_kg13", number(design.depth_of_burial)},
           {"farthest_fragment_m", number(design.fragment)},
-          {"last_hole_s", number(design.last_time)}};
+          {"last_hole_s", number(design.last_time)},
+          {"derived", derived_data(plan)}};
 }
 
 }  // namespace
@@ -585,7 +608,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                {"assumptions", assumptions(plan)},
                {"dimension", first.dimension},
                {"method", methods_text(plan)},
-               {"seed", first.seed},
+               {"seed", first.streams.seed},
                {"trials", first.trials},
                {"complete", results.ended_early.empty()}};
   if (const std::string sentence = answer_texts(plan, results).first; !sentence.empty())

@@ -316,6 +316,14 @@ inline constexpr double beyond_known_throw = 1.5;
 
 enum class FlightMode { exact, stepped };
 
+/// Dense steps (world/dense_step.cpp): when they are made, and what they take where the scenario gives nothing.
+struct DensePlan {
+  std::string bodies = "auto";  ///< or "exact", "dense"
+  double time_step = 4e-3;  ///< s
+  double tolerance = 1e-4;
+  int max_iterations = 100;
+};
+
 struct SolverPlan {
   std::string name = "auto";        ///< solver/solve_settings.h
   std::optional<double> time_step;  ///< s; absent: chosen by error (world/step_control.h)
@@ -326,6 +334,7 @@ struct SolverPlan {
   FlightMode flight = FlightMode::exact;
   bool one_by_one = false;   ///< impacts at one instant, not together
   double rest_speed = 0.02;  ///< m/s
+  DensePlan dense;
 };
 
 struct StopPlan {
@@ -419,7 +428,7 @@ struct Scenario {
   DocumentPlan document;
   int dimension = 2;
   Method method = Method::nscd;
-  std::uint64_t seed = 1;
+  Streams streams;
   std::uint64_t trials = 1;  ///< of all runs
   std::uint64_t outer = 1;   ///< runs with equally many trials each, one after the other (results/outer.h)
   bool rock_contacts = false;
