@@ -108,7 +108,7 @@ BlastsBeyond ClearanceTally::beyond(std::size_t clearance, double distance) cons
   const Share share = share_of(blasts, rocks_[clearance].farthest.size(), open);
   const WeightRange& weights = rocks_[clearance].weights;
   const SimulatedBlasts simulated{share.value, share.interval, share.value, share.interval, weights, {}};
-  return {distance, bounds_of(simulated), share.censored};
+  return {distance, rocks_[clearance].farthest.size(), bounds_of(simulated), share.censored};
 }
 
 std::vector<ClearanceSummary> ClearanceTally::summaries() const {

@@ -15,6 +15,7 @@ namespace flyrock {
 /// How many blasts throw at least one rock beyond a distance.
 struct BlastsBeyond {
   double distance = unknown;  ///< m
+  std::uint64_t blasts = 0;   ///< n
   /// k of n trials, exact (Clopper and Pearson); with weights the bounds for the greatest of them.
   BlastBounds share{unknown, unknown, {unknown, unknown}, 1};
   bool is_lower_bound = false;  ///< a rock that was cut short nearer may have gone beyond

@@ -140,6 +140,12 @@ Question area_question(const ClearancePlan& asked, const ClearanceSummary& found
   return row;
 }
 
+/// "one rock of face in 20 goes", "60 % of the rocks of face go"
+std::string rocks_that_go(double p, const std::string& of) {
+  return p <= most_one_in ? one_in(p, " rock" + of) + " goes"
+                          : fmt::format("{} of the rocks{} go", percent(p), of);
+}
+
 Question distance_question(const Scenario& scenario, const ClearancePlan& asked,
                            const ClearanceSummary& found) {
   const std::string distance = distance_text(asked, found), of = of_group(scenario, asked);
@@ -154,10 +160,12 @@ Question distance_question(const Scenario& scenario, const ClearancePlan& asked,
     put_year(asked, asked.probability, row);
   } else {
     const double p = found.beyond_distance.share.upper;
-    row.asks += fmt::format(", which {} of the rocks exceed", percent(asked.probability));
     row.per_blast = chance_text(p);
-    row.clause = fmt::format("{} a rock{} beyond {}, which {} of the rocks exceed",
-                             blasts_that(p, "throws", "throw"), of, distance, percent(asked.probability));
+    row.clause = fmt::format("{} beyond {}", rocks_that_go(asked.probability, of), distance);
+    if (found.count > found.beyond_distance.blasts) {  // else a blast is a rock
+      row.asks += fmt::format(", which {} of the rocks exceed", percent(asked.probability));
+      row.clause += fmt::format(", and {} such a rock", blasts_that(p, "throws", "throw"));
+    }
     put_year(asked, p, row);
   }
   put_limit(asked, asked.customary ? verdict_of(found, *asked.customary) : "", row);

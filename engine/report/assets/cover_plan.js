@@ -182,5 +182,5 @@ function cover_plan(page, point) {
   return [
     element("div", { class: has_pattern(things) ? "plans" : "plans alone" }, picture(site, "site"), has_pattern(things) ? picture(draw_pattern(things), "pattern") : ""),
     element("ol", { class: "key" }, ...site.rows.map((row) => element("li", {}, row))),
-    paragraph("caption", `${told.join("; ")}. The frame holds every ${ends_at_landing ? "landing" : "end"}${max === null ? "" : `; the farthest rock of ${group_name(shown_group())} went ${three(max)} m`}.`)];
+    caption(`${told.join("; ")}. The frame holds every ${ends_at_landing ? "landing" : "end"}${max === null ? "" : `; the farthest rock of ${group_name(shown_group())} went ${three(max)} m`}.`)];
 }

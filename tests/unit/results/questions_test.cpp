@@ -148,9 +148,14 @@ TEST_CASE("a clearance per rock also says how many blasts throw a rock so far") 
   const std::vector<Question> rows = asked_of(plan, questions_test::blasts());
   REQUIRE(rows.size() == 1);
   // Of 2000 rocks 5 % go beyond 899 m: those of the last 100 blasts.
-  CHECK(rows[0].asks.starts_with("road: a rock beyond 899 m, which 5 % of the rocks exceed"));
+  CHECK(rows[0].asks == "road: a rock beyond 899 m, which 5 % of the rocks exceed");
   CHECK(rows[0].per_blast == "10 %, one in 10");
-  CHECK(rows[0].clause == "one blast in 10 throws a rock beyond 899 m, which 5 % of the rocks exceed");
+  CHECK(rows[0].clause == "one rock in 20 goes beyond 899 m, and one blast in 10 throws such a rock");
+  TrialRecords one_each = questions_test::blasts();
+  std::erase_if(one_each.rocks, [](const RockRecord& rock) { return rock.rock > 0; });
+  const Question single = asked_of(plan, one_each)[0];
+  CHECK(single.asks == "road: a rock beyond 949 m");
+  CHECK(single.clause == "one rock in 20 goes beyond 949 m");
 }
 
 TEST_CASE("a distance that too few blasts reach is not given, and its limit is not shown to hold") {
