@@ -275,6 +275,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   settings.barriers = barriers_;
   settings.forest = run_forest_;
   settings.interrupted = interrupted;
+  settings.watch = watch;
   settings.keep_impacts = (scenario_.output.impacts && has_rows(number)) || !scenario_.bodies.empty();
 
   const bool timed = number % timed_every == 0;

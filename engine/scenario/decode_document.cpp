@@ -102,8 +102,10 @@ class DocumentDecoder {
   void decode_head(const Node& node) {
     const Section section = decode_section(context_, node, "document");
     DocumentPlan& head = scenario_.document;
-    head = {section.text("number"), section.text("site"), section.text("client"), section.text("author"),
-            section.text("date")};
+    head = {section.text("number"),   section.text("site"),
+            section.text("client"),   section.text("author"),
+            section.text("date"),     section.text("checked_by"),
+            section.text("revision"), section.constant("signature") != 0};
   }
 
   /// Reports what the method cannot do.

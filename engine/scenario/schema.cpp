@@ -234,6 +234,10 @@ std::vector<ParamSpec> exposure_keys() {
       above(optional(number("length", "m", "of a vehicle")), 0),
       above(optional(number("speed", "m/s", "of the vehicles")), 0),
       above(or_else(number("blasts_per_year", "", "for the probability per year"), 1.0), 0),
+      at_most(above(optional(number("limit_per_blast", "", "probability that a blast may have at most")), 0),
+              1),
+      at_most(above(optional(number("limit_per_year", "", "probability that a year may have at most")), 0),
+              1),
       at_least(or_else(number("energy", "J", "of the landings that count, at least"), 0.0), 0)};
 }
 
@@ -487,7 +491,9 @@ std::vector<SectionSpec> make_sections() {
       {"document",
        {optional(text("number", "of the document")), optional(text("site", "where the blast is")),
         optional(text("client", "who asked")), optional(text("author", "who answers for it")),
-        optional(text("date", "of the document, as it is to be printed"))},
+        optional(text("date", "of the document, as it is to be printed")),
+        optional(text("checked_by", "who checked it")), optional(text("revision", "of the document")),
+        boolean("signature", false, "true: the first page has lines to sign on")},
        {}},
       {"clearance",
        {text("name", "of the clearance"),
@@ -495,8 +501,11 @@ std::vector<SectionSpec> make_sections() {
         below(above(number("probability", "", "probability with which a rock exceeds the distance"), 0), 1),
         or_else(below(above(number("confidence", "", "of the interval"), 0), 1), 0.95),
         at_least(optional(number("factor", "", "safety factor on the distance; none by default")), 1),
-        above(optional(number("customary", "m", "the legal or customary distance, to stand beside it")), 0),
+        above(
+            optional(number("customary", "m", "the legal or customary distance: the limit of the distance")),
+            0),
         above(optional(number("known_throw", "m", "the farthest throw that is known of the site")), 0),
+        above(optional(number("blasts_per_year", "", "for the probability per year")), 0),
         or_else(choice("per", {"rock", "blast"}, "blast: the farthest rock of a trial"), "rock"),
         or_else(choice("of", {"runout", "max_distance"}, "which distance"), "runout"),
         at_most(at_least(optional(integer("sectors",
@@ -549,6 +558,10 @@ std::vector<SectionSpec> make_sections() {
         or_else(choice("impacts", {"together", "one_by_one"},
                        "contacts that close at one instant: one problem, or the fastest first, each alone"),
                 "together"),
+        or_else(choice("bodies", {"auto", "exact", "dense"},
+                       "how bodies that touch move: each touch at its instant, dense steps of 4 ms (or "
+                       "`time_step`), or dense from 40 contacts of one island on"),
+                "auto"),
         or_else(at_least(number("rest_speed", "m/s", "below which a contact closes without restitution"), 0),
                 0.02)},
        {}},

@@ -69,7 +69,13 @@ WorldSettings TrialBuilder<D>::world_settings() const {
                          .rest_speed = solver.rest_speed,
                          .solver = solver_of_name(solver.name).value(),
                          .body_contacts = scenario_.bodies.empty() || scenario_.body_contacts,
-                         .one_by_one = solver.one_by_one};
+                         .one_by_one = solver.one_by_one,
+                         .many = solver.dense.bodies == "auto"    ? ManyBodies::automatic
+                                 : solver.dense.bodies == "dense" ? ManyBodies::dense
+                                                                  : ManyBodies::exact,
+                         .dense_step = solver.dense.time_step,
+                         .dense_tolerance = solver.dense.tolerance,
+                         .dense_iterations = solver.dense.max_iterations};
   if (solver.time_step)
     settings.time_step = *solver.time_step;
   else

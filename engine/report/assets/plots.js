@@ -84,7 +84,7 @@ function draw_envelopes(node, envelopes, group, point) {
   });
   traces.push({ x: group.x.map((v) => v + width / 2), y: group.count, yaxis: "y4", type: "bar", width, name: "rocks that came here", showlegend: false, marker: { color: colour.sky }, hovertemplate: "%{y} rocks came to x = %{x:.1f} m<extra></extra>" });
   const rows = [[0.77, 1], [0.53, 0.75], [0.29, 0.51], [0, 0.26]];
-  const layout = { height: 760, legend, hovermode: "closest", bargap: 0, xaxis: { ...axis("distance x in m"), anchor: "y4" } };
+  const layout = { height: 760, legend, hovermode: "closest", bargap: 0, xaxis: { ...place_axis("distance x in m"), anchor: "y4" } };
   envelope_rows.forEach(([, title], row) => { layout[`yaxis${row === 0 ? "" : row + 1}`] = { ...axis(title), domain: rows[row], rangemode: "tozero" }; });
   layout.yaxis4 = { ...axis("rocks"), domain: rows[3], rangemode: "tozero" };
   plot(node, traces, { ...layout, ...place_lines(point, 760, pixels_of(node, [x[0], x.at(-1)])) });
