@@ -53,12 +53,10 @@ DerivedNumbers derived_numbers(const Blast& blast, const Pattern& pattern, int h
   DerivedNumbers numbers;
   const auto put = [&](Derived derived, double value) { numbers[static_cast<std::size_t>(derived)] = value; };
   const double b = blast[burden], charge = blast[hole_charge];
-  // The design of a pattern of one hole, whose burden is the distance of rows behind the first.
-  Blast own = blast;
-  const bool is_behind = pattern.measured.empty() && pattern.row(hole) > 0 && pattern.row_distance > 0;
-  if (is_behind) own[burden] = pattern.row_distance;
-  const double factor = design_of(own, Pattern{}).powder_factor;
   const BlastDesign design = design_of(blast, Pattern{});
+  double factor = design.powder_factor;
+  if (pattern.measured.empty() && pattern.row(hole) > 0 && pattern.row_distance > 0)
+    factor *= b / pattern.row_distance;  // of rows behind the first
   put(Derived::powder_factor, factor);
   put(Derived::powder_factor_by_mass, 1000 * factor / blast[rock_density]);
   put(Derived::charge_ratio, design.charge_to_mass);

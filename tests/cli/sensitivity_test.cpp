@@ -212,6 +212,24 @@ TEST_CASE("what cannot be asked is an error in one line") {
   refused("-n 10 --trials 10", "expected one of -n and --trials");
 }
 
+TEST_CASE("a run with a design of trials has the same bytes for any number of threads and shards") {
+  const Folder folder;
+  folder.write("s.yaml", blast_scenario);
+  for (const std::string& sampling : {std::string("latin_hypercube"), std::string("sobol")}) {
+    const std::string words = "run s.yaml --quiet --force --set sampling=" + sampling;
+    call_well(folder, words + " -j 1 -o one");
+    call_well(folder, words + " -j 2 -o two");
+    call_well(folder, words + " --shard 1/2 -o a");
+    call_well(folder, words + " --shard 2/2 -o b");
+    call_well(folder, "merge a b --quiet --force -o merged");
+    for (const char* other : {"two", "merged"})
+      for (const char* file : {"rocks.csv", "summary.json"}) {
+        INFO(sampling << " " << other << " " << file);
+        CHECK(read(folder.path() / "one" / file) == read(folder.path() / other / file));
+      }
+  }
+}
+
 TEST_CASE("an analysis that was interrupted goes on with what is done") {
   const Folder folder;
   folder.write("ishigami.lua", ishigami_plugin);
