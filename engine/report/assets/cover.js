@@ -135,7 +135,7 @@ function draw_cover_plan(page, point) {
   const on_circle = (radius, first) => [0, 1, 2, 3, 4, 5, 6, 7].map((k) => first + (k * Math.PI) / 4).map((angle) => [cx + to.scale * radius * Math.cos(angle), cy - to.scale * radius * Math.sin(angle)]);
   const row = (n, text) => rows.push(`${n}: ${text}`);
   const nearest = (line) => line.slice(1).map(([x1, y1], i) => { const [x0, y0] = line[i], vx = x1 - x0, vy = y1 - y0, t = Math.min(1, Math.max(0, ((centre[0] - x0) * vx + (centre[1] - y0) * vy) / (vx * vx + vy * vy || 1))); return [x0 + t * vx, y0 + t * vy]; }).reduce((a, b) => (distance(b) < distance(a) ? b : a));
-  const where_text = (place) => `${show(Number(distance(place).toPrecision(3)))} m from the mean release, azimuth ${show(Math.round(azimuth(place)))} deg`;
+  const where_text = (place) => `${show(Number(distance(place).toPrecision(3)))} m from the mean release, ${bearing_text(azimuth(place))}`;
   for (const line of lines) {
     parts.push(drawn_line(line.line.map((p) => to.at(...p)), { stroke: line.colour, "stroke-width": 2.5 }));
     const near = nearest(line.line), [x, y] = to.at(...near);

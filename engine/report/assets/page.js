@@ -53,6 +53,13 @@ const numbers = (...tables) => element("details", {}, element("summary", {}, "Nu
 
 // ---- numbers ---------------------------------------------------------------------------------------------------
 /** Counts in full; else four significant digits and all before the point, as coordinates of a country need; no exponent between 0.001 and a thousand million. */
+/** A direction in plan as a compass shows it, clockwise from north, of an azimuth from +x towards +y: "bearing 127 deg, south-east". */
+const bearing_of = (azimuth) => ((summary.north_deg - azimuth) % 360 + 360) % 360;
+function bearing_text(azimuth) {
+  const bearing = bearing_of(azimuth), names = ["north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west"];
+  return `bearing ${Math.round(bearing) % 360} deg, ${names[Math.round(bearing / 45) % 8]}`;
+}
+
 function show(value) {
   if (value === null || value === undefined) return "–";
   if (Number.isSafeInteger(value)) return String(value);
