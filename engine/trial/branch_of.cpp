@@ -25,7 +25,7 @@ int branch_of_blast(const Scenario& scenario, std::uint64_t trial) {
   if (scenario.branches.empty()) return 0;
   DrawKey key;
   key.trial = trial;
-  return branch_at(scenario, -1, RandomStream(scenario.seed, "branches", key).uniform(), 1);
+  return branch_at(scenario, -1, RandomStream(scenario.streams, "branches", key).uniform(), 1);
 }
 
 int branch_of_hole(const Scenario& scenario, std::uint64_t trial, std::uint64_t hole) {
@@ -37,8 +37,8 @@ int branch_of_hole(const Scenario& scenario, std::uint64_t trial, std::uint64_t 
   DrawKey key;
   key.trial = trial;
   key.hole = hole + 1;
-  return branch_at(scenario, static_cast<int>(hole), RandomStream(scenario.seed, "branches", key).uniform(),
-                   regular);
+  return branch_at(scenario, static_cast<int>(hole),
+                   RandomStream(scenario.streams, "branches", key).uniform(), regular);
 }
 
 }  // namespace flyrock

@@ -114,7 +114,8 @@ TEST_CASE("the answer says the bearing to which an area reaches") {
                "clearance: [{ name: people, probability: 0.3, sectors: 4 }]\nstop: { time: 60 s }\n");
   const Output run = call(folder, "run s.yaml --force -o out");
   INFO(run.out << run.err);
-  CHECK((run.out + run.err).find(", at bearing 135 deg, south-east") != std::string::npos);
+  CHECK((run.out + run.err).find("reaches farthest at bearing 135 deg, south-east, from") !=
+        std::string::npos);
 }
 
 TEST_CASE("holes lean to their bearing, in a table, in a list and by their toes, with the burden by hand") {
