@@ -29,6 +29,7 @@ help:
 	@echo "make bench  rocks per second, the share of time by phase, the cost of each pair of shapes and of a law in Lua"
 	@echo "make fuzz SECONDS=600 SEED=1   tries mutants of every kind of input, with sanitizers; what it finds is in out/fuzz"
 	@echo "make fuzz KIND=scenes SECONDS=600 SEED=1   runs random scenes and judges their motion; slow, so not among the others"
+	@echo "make fuzz KIND=tables SECONDS=600 SEED=1   writes tables of holes as people have them, and judges what is read"
 	@echo "make fuzz KIND=terrain SECONDS=600 SEED=1  writes files of ground with the quirks of programs, and judges what is read"
 	@echo "make reference   write docs/reference from the manifests of the plugins and the examples of shapes"
 	@echo "make course write the pictures of the course's pages"

@@ -18,7 +18,8 @@ std::uint64_t cells_of(const PlanGrid& grid) {
 }
 
 std::int32_t cells_along(double length, double cell) {
-  const double cells = std::ceil(length / cell - 1e-9);
+  constexpr double rounding = 2e-6;  // m, of both ends (without_rounding)
+  const double cells = std::ceil((length - rounding) / cell - 1e-9);
   return static_cast<std::int32_t>(std::clamp(cells, 1.0, static_cast<double>(most_map_cells) + 1));
 }
 

@@ -9,6 +9,7 @@
 #include "cli/plugin_file.h"
 #include "cli/runners.h"
 #include "cli/terminal.h"
+#include "document/printable.h"
 #include "host/share.h"
 #include "plugin/conformance.h"
 #include "results/answer.h"
@@ -57,6 +58,7 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
   if (!loaded) return bad_input;
   const Plan& plan = loaded->plan;
   if (!try_runners(*loaded, tried_trials)) return bad_input;
+  for (const std::string& table : plan.points.front().tables) fmt::print("{}\n", printable(table, 2000));
   fmt::print("{}", not_used_list(plan.not_used));
   if (const std::string elevations = assumed_elevations(plan); !elevations.empty())
     fmt::print("{}\n", elevations);

@@ -121,7 +121,8 @@ int export_result(const Command& command, const Arguments& arguments) {
       "csv (every table), vtk (trajectories, for ParaView); for a GIS: geojson or gpkg (paths, "
       "ends, gates, barriers, trees, zones, area), asc or tif (maps); gpkg and tif need GDAL; "
       "required")("output,o", po::value<std::string>()->value_name("FILE|DIR"),
-                  "folder of the files; default DIR/<format>");
+                  "folder of the files; default DIR/<format>")(
+      "force", "writes into a folder that holds results, too");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
   if (!line.has("to")) throw UsageError(fmt::format("expected --to FORMAT: flyrock {}", command.usage));
@@ -129,9 +130,10 @@ int export_result(const Command& command, const Arguments& arguments) {
   const fs::path result = finished_result(line.words[0]);
   const fs::path folder = line.has("output") ? fs::path(line.text("output")) : result / format.name;
   std::error_code no_path;  // a name that is too long is reported when the folder is made
-  if (fs::exists(folder / "manifest.json", no_path))
+  if (fs::exists(folder / "manifest.json", no_path) && !line.has("force"))
     throw UsageError(fmt::format(
-        "-o {}: it holds results, whose files would be replaced; expected another folder", folder.string()));
+        "-o {}: it holds results, whose files would be replaced; expected another folder, or --force",
+        folder.string()));
   const std::vector<fs::path> files = format.write(result / "results.db", folder);
   for (const fs::path& file : files) fmt::print("{}\n", file.string());
   if (files.empty()) tell("nothing written: {}\n", format.nothing);

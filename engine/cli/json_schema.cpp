@@ -7,6 +7,7 @@
 
 #include "cli/schema_values.h"
 #include "plugin/gain.h"
+#include "scenario/normalise_params.h"
 #include "scenario/schema.h"
 #include "scenario/sweep.h"
 
@@ -51,6 +52,9 @@ Json one_of(const std::vector<std::string>& keys) {
   for (const std::string& key : keys) branches.push_back({{"required", Json::array({key})}});
   return branches;
 }
+
+/// A name, which may be a number.
+Json name_or_number() { return {{"type", Json::array({"string", "number"})}}; }
 
 Json has(const std::string& key) { return {{"required", Json::array({key})}}; }
 
@@ -129,6 +133,7 @@ Keys DocumentSchema::section(const std::string& name, const Varies& varies) {
 /// The parameters of a plugin; those of a group are an object.
 void DocumentSchema::put_params(Keys& keys, const PluginSpec& plugin) {
   const bool may_gain = plugin.find(allow_gain) >= 0;
+  if (const auto bearing = bearing_beside(plugin.params)) put(keys, *bearing, true);
   for (std::size_t i = 0; i < plugin.params.size(); ++i) {
     ParamSpec spec = plugin.params[i];
     if (may_gain && is_limit_of_gain(plugin, spec)) spec.max.reset();  // allow_gain lifts it
@@ -267,13 +272,16 @@ Json DocumentSchema::blast() {
   hole.properties["hole"].erase("anyOf");
   keys.add("holes", {{"anyOf", Json::array({table.object(), array_of(hole.object(), 1)})}});
   keys.add("scatter", section("blast.scatter", all_vary).object());
-  keys.add("face", section("blast.face").object());
+  Keys face = section("blast.face");
+  face.add("columns", section("blast.face.columns").object());
+  keys.add("face", face.object());
   return keys.object();
 }
 
 Json DocumentSchema::branches() {
   Keys keys = section("branches");
   keys.add("set", {{"type", "object"}, {"minProperties", 1}}, true);
+  keys.add("holes", array_of(name_or_number(), 1));
   return array_of(keys.object());
 }
 
@@ -304,6 +312,8 @@ Json DocumentSchema::shape(bool of_table) {
 Json DocumentSchema::rocks() {
   Keys group = section("rocks", [](const std::string& key) { return key != "weight"; });
   group.add("columns", section("rocks.columns").object());
+  for (const char* key : {"rows", "holes"}) group.add(key, array_of(name_or_number(), 1));
+  group.add("air", {{"anyOf", Json::array({Json{{"const", "none"}}, section("air", all_vary).object()})}});
   group.add("shape", shape(true));
   group.add("release", release());
   group.add("launch", swept_section("launch", plugin(PluginKind::velocity)));
@@ -315,7 +325,9 @@ Json DocumentSchema::rocks() {
     if (branch["properties"]["type"].value("const", "") != default_population) continue;
     branch["required"].push_back("shape");  // other populations may decide both
     branch["anyOf"] = one_of({"release", "per_hole", "table"});
-    branch["dependencies"] = {{"columns", Json::array({"table"})}};
+    branch["dependencies"] = {{"columns", Json::array({"table"})},
+                              {"rows", Json::array({"per_hole"})},
+                              {"holes", Json::array({"per_hole"})}};
   }
   return array_of(values_.define(named("rocks"), std::move(use)), 1);
 }

@@ -59,7 +59,8 @@ void print(const std::string& browser, const fs::path& page, const fs::path& pdf
   const bool printed =
       run_program({browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer",
                    "--log-level=3", "--virtual-time-budget=20000", "--user-data-dir=" + profile.string(),
-                   "--print-to-pdf=" + pdf.string(), "file://" + fs::absolute(page).string()});
+                   "--print-to-pdf=" + pdf.string(), "file://" + fs::absolute(page).string()},
+                  true);  // browsers write warnings of their own
   std::error_code ignored;
   fs::remove_all(profile, ignored);
   if (!printed || !fs::exists(pdf))

@@ -3,151 +3,66 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <memory>
 
 #include "document/printable.h"
+#include "document/table_lines.h"
 #include "document/wording.h"
-#include "units/units.h"
 
 namespace flyrock {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\r";
 constexpr std::size_t most_errors = 20;
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return text.substr(text.size());
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-/// A unit as heads write it: `kg_per_m`, `m_s` for m/s, `m/s`. The reading that has the dimension counts.
-std::optional<Unit> unit_of_head(std::string_view text, const Dimension& dimension) {
+/// As programs write numbers: +1.5, 007, 1E3.
+std::optional<double> number_of(std::string_view text) {
   std::string plain(text);
-  if (const std::size_t per = plain.find("_per_"); per != std::string::npos) plain.replace(per, 5, "/");
-  std::vector<std::string> readings;
-  for (std::size_t cut = plain.find('_'); cut != std::string::npos; cut = plain.find('_', cut + 1)) {
-    readings.push_back(plain);
-    readings.back()[cut] = '/';
+  std::size_t at = plain.starts_with('-') || plain.starts_with('+') ? 1 : 0;
+  while (at + 1 < plain.size() && plain[at] == '0' && plain[at + 1] >= '0' && plain[at + 1] <= '9')
+    plain.erase(at, 1);
+  if (plain.starts_with('+')) plain.erase(0, 1);
+  return parse_number(plain);
+}
+
+/// No head begins with a digit.
+bool begins_with_number(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t+-.");
+  return first != std::string_view::npos && line[first] >= '0' && line[first] <= '9';
+}
+
+/// Rows below the records of a spreadsheet that sum them up.
+bool is_summary(std::string_view name) {
+  constexpr std::array words = {"total",   "totals", "subtotal", "sum", "mean",
+                                "average", "avg",    "median",   "std", "stdev"};
+  while (name.ends_with(':') || name.ends_with('.')) name.remove_suffix(1);
+  return std::find(words.begin(), words.end(), lower(without_blanks(name))) != words.end();
+}
+
+/// The column that a head nobody asked for may have meant.
+std::string meant_column(std::string_view head, const std::vector<std::string>& columns) {
+  std::string_view name = without_blanks(head.substr(0, head.find_first_of("([{,")));
+  while (!name.empty()) {
+    if (const std::string hint = did_you_mean(lower(name), columns); !hint.empty()) return hint;
+    const std::size_t last = name.find_last_of(" _-.");
+    name = last == std::string_view::npos ? std::string_view() : name.substr(0, last);
   }
-  readings.push_back(plain);
-  for (std::string& reading : readings) {
-    std::replace(reading.begin(), reading.end(), '_', ' ');
-    if (const auto unit = parse_unit(reading); unit && unit->dimension == dimension) return unit;
-  }
-  return std::nullopt;
+  return {};
 }
 
-/// The unit that follows a name in a head: "_kg", " [kg]", " (kg)"; nothing where that is no unit.
-std::optional<Unit> trailing_unit(std::string_view rest, const Dimension& dimension) {
-  rest = trimmed(rest);
-  if (rest.size() > 2 &&
-      ((rest.front() == '[' && rest.back() == ']') || (rest.front() == '(' && rest.back() == ')')))
-    rest = rest.substr(1, rest.size() - 2);
-  else if (rest.starts_with('_'))
-    rest.remove_prefix(1);
-  else
-    return std::nullopt;
-  return unit_of_head(trimmed(rest), dimension);
-}
-
-/// The unit of any head: of its longest end that is one.
-Unit unit_at_end(std::string_view head, const Dimension& dimension) {
-  for (std::size_t i = 0; i < head.size(); ++i)
-    if (head[i] == '_' || head[i] == '[' || head[i] == '(')
-      if (const auto unit = trailing_unit(head.substr(i), dimension)) return *unit;
-  return {1, dimension};
-}
-
-struct Field {
-  std::string text;
-  int at = 1;
-};
-
-/// Cuts a line at its separators. A field in double quotes may hold them; "" is a quote in it.
-std::vector<Field> fields_of(std::string_view line, char separator) {
-  std::vector<Field> fields;
-  for (std::size_t i = 0; i <= line.size(); ++i) {
-    while (i < line.size() && line[i] != separator && blanks.find(line[i]) != std::string_view::npos) ++i;
-    Field field{"", static_cast<int>(i) + 1};
-    if (i < line.size() && line[i] == '"') {
-      for (++i; i < line.size(); ++i) {
-        if (line[i] == '"' && (i + 1 >= line.size() || line[i + 1] != '"')) break;
-        if (line[i] == '"') ++i;
-        field.text += line[i];
-      }
-      i = std::min(line.find(separator, i), line.size());
-    } else {
-      const std::size_t end = std::min(line.find(separator, i), line.size());
-      field.text = trimmed(line.substr(i, end - i));
-      i = end;
-    }
-    fields.push_back(std::move(field));
-  }
-  return fields;
-}
-
-/// Cuts a line at its blanks.
-std::vector<Field> words_of(std::string_view line) {
-  std::vector<Field> words;
-  for (std::size_t i = line.find_first_not_of(blanks); i != std::string_view::npos;) {
-    const std::size_t end = std::min(line.find_first_of(blanks, i), line.size());
-    words.push_back({std::string(line.substr(i, end - i)), static_cast<int>(i) + 1});
-    i = line.find_first_not_of(blanks, end);
-  }
-  return words;
-}
-
-std::vector<Field> fields_apart_by(char separator, std::string_view line) {
-  return separator == ' ' ? words_of(line) : fields_of(line, separator);
-}
-
-/// Blanks are separators where nothing else is and no unit stands in brackets.
-char separator_of(std::string_view heads) {
-  for (const char c : {';', '\t', ','})
-    if (heads.find(c) != std::string_view::npos) return c;
-  const bool has_brackets = heads.find_first_of("[(\"") != std::string_view::npos;
-  return !has_brackets && words_of(heads).size() > 1 ? ' ' : ',';
-}
-
-/// A word such as 12,5: all its commas stand between digits.
-bool has_decimal_comma(std::string_view word) {
-  const auto is_digit = [&](std::size_t i) { return i < word.size() && word[i] >= '0' && word[i] <= '9'; };
-  const std::size_t comma = word.find(',');
-  return comma != std::string_view::npos && comma > 0 && is_digit(comma - 1) && is_digit(comma + 1) &&
-         word.find(',', comma + 1) == std::string_view::npos;
-}
-
-/// The numbers of a line without heads: apart by semicolons if it has one, else by commas or blanks. Where
-/// blanks alone give the right count, a comma between digits is one of decimals.
-std::vector<Field> bare_fields(std::string_view line, std::size_t expected) {
-  if (line.find(';') != std::string_view::npos) {
-    std::vector<Field> fields = fields_of(line, ';');
-    while (!fields.empty() && fields.back().text.empty()) fields.pop_back();
-    return fields;
-  }
-  std::vector<Field> words = words_of(line);
-  const bool is_plain = std::all_of(words.begin(), words.end(), [](const Field& word) {
-    return word.text.find(',') == std::string::npos || has_decimal_comma(word.text);
-  });
-  if (words.size() == expected && is_plain) return words;
-  std::vector<Field> fields;
-  for (const Field& word : words)
-    for (std::size_t i = 0; i < word.text.size();) {
-      const std::size_t end = std::min(word.text.find(',', i), word.text.size());
-      if (end > i) fields.push_back({word.text.substr(i, end - i), word.at + static_cast<int>(i)});
-      i = end + 1;
-    }
-  return fields;
+std::vector<std::string> texts(const std::vector<TableField>& fields) {
+  std::vector<std::string> result;
+  for (const TableField& field : fields) result.push_back(field.text);
+  return result;
 }
 
 }  // namespace
 
 const TextTable::Cell* TextTable::cell(std::size_t row, std::string_view column) const {
   const auto found = columns_.find(column);
-  return found == columns_.end() ? nullptr : &found->second.at(row);
+  return found == columns_.end() ? nullptr : &found->second.cells.at(row);
 }
 
 bool TextTable::has(std::string_view column) const { return columns_.contains(column); }
@@ -167,6 +82,60 @@ Location TextTable::at(std::size_t row, std::string_view column) const {
   return {source_, lines_.at(row), found ? found->at : 1};
 }
 
+std::string_view TextTable::head(std::string_view column) const {
+  const auto found = columns_.find(column);
+  return found == columns_.end() ? column : std::string_view(found->second.head);
+}
+
+Location TextTable::head_at(std::string_view column) const {
+  const auto found = columns_.find(column);
+  return found == columns_.end() ? Location{source_, 1, 1}
+                                 : Location{source_, found->second.line, found->second.at};
+}
+
+std::string_view TextTable::unit(std::string_view column) const {
+  const auto found = columns_.find(column);
+  return found == columns_.end() ? std::string_view() : std::string_view(found->second.unit.text);
+}
+
+std::string TextTable::shown(std::string_view column, double si) const {
+  const HeadUnit& unit = columns_.find(column)->second.unit;
+  const std::string name = unit.text.empty() ? si_unit(unit.unit.dimension) : unit.text;
+  return fmt::format("{:.10g}{}{}", si / unit.unit.factor, name == "1" ? "" : " ", name == "1" ? "" : name);
+}
+
+std::string TextTable::summary() const {
+  std::vector<std::pair<std::string, const Column*>> in_order;
+  for (const auto& [name, column] : columns_) in_order.emplace_back(name, &column);
+  std::sort(in_order.begin(), in_order.end(),
+            [](const auto& a, const auto& b) { return a.second->place < b.second->place; });
+  std::string text = fmt::format("{} row{}", rows_, rows_ == 1 ? "" : "s");
+  const char* separator = "; ";
+  for (const auto& [name, column] : in_order) {
+    if (column->is_text) continue;
+    double least = std::numeric_limits<double>::infinity(), greatest = -least;
+    for (const Cell& one : column->cells) {
+      if (!one.is_number) continue;
+      least = std::min(least, one.number);
+      greatest = std::max(greatest, one.number);
+    }
+    text += fmt::format("{}{} ", separator, name);
+    separator = ", ";
+    if (least > greatest)
+      text += "empty";
+    else if (least == greatest)
+      text += shown(name, least);
+    else
+      text += fmt::format("{:.10g} to {}", least / column->unit.unit.factor, shown(name, greatest));
+  }
+  separator = "; not read: ";
+  for (const std::string& head : ignored_) {
+    text += fmt::format("{}`{}`{}", separator, printable(head), meant_column(head, known_));
+    separator = ", ";
+  }
+  return text;
+}
+
 class TextTableReader {
  public:
   TextTableReader(std::span<const TableColumn> columns, const std::map<std::string, std::string>& heads,
@@ -176,31 +145,29 @@ class TextTableReader {
   std::optional<TextTable> read(const std::string& path) {
     const std::size_t before = diagnostics_.errors_given();
     if (read_lines(path) && read_heads()) {
-      for (++line_; line_ <= source_->lines.size(); ++line_)
-        if (!trimmed(content()).empty()) read_row();
-      if (table_.rows_ == 0 && errors_ == 0) {
-        line_ = 1;
-        fail(1, "the table has no line but its heads");
-      }
+      while (next_record())
+        if (!without_blanks(record_).empty()) read_row();
+      check_rows();
     }
     if (errors_ > most_errors)
       where_.error(diagnostics_,
                    fmt::format("{} has {} more errors like these", path, errors_ - most_errors));
     if (diagnostics_.errors_given() > before) return std::nullopt;
     table_.source_ = source_;
+    table_.known_ = names_of(columns_);
     return std::move(table_);
   }
 
  private:
   struct Use {
     const TableColumn* column = nullptr;
-    std::vector<TextTable::Cell>* cells = nullptr;
-    Unit unit;
+    TextTable::Column* to = nullptr;
   };
 
-  void fail(int at, const std::string& text) {
-    if (++errors_ <= most_errors)
-      diagnostics_.error({source_, static_cast<int>(line_), at}, where_.path, text);
+  void fail(int at, const std::string& text) { fail_at(static_cast<int>(line_), at, text); }
+
+  void fail_at(int line, int at, const std::string& text) {
+    if (++errors_ <= most_errors) diagnostics_.error({source_, line, at}, where_.path, text);
   }
 
   bool read_lines(const std::string& path) {
@@ -217,63 +184,111 @@ class TextTableReader {
       if (source->lines.empty() && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
       source->lines.push_back(std::move(line));
     }
+    if (const std::string format = other_format(source->lines.front()); !format.empty()) {
+      where_.error(diagnostics_, fmt::format("the file {} {}", path, format));
+      return false;
+    }
     source_ = std::move(source);
     for (line_ = 1; line_ <= source_->lines.size(); ++line_)
       if (const std::string fault = text_fault(source_->lines[line_ - 1]); !fault.empty()) {
         fail(1, fmt::format("the line {}, expected a table saved as UTF-8", fault));
         return false;
       }
+    line_ = next_line_ = 1;
     return true;
   }
 
-  /// The text of the line, without its comment.
-  std::string_view content() const {
-    const std::string_view line = source_->lines[line_ - 1];
-    return form_ == TableForm::points ? line.substr(0, line.find('#')) : line;
+  /// The text of a line, without its comment, and with plain blanks.
+  std::string content(std::size_t line) const {
+    std::string text = source_->lines[line - 1];
+    if (form_ == TableForm::points) text.resize(std::min(text.find('#'), text.size()));
+    constexpr std::string_view no_break = "\xc2\xa0";
+    for (std::size_t at; (at = text.find(no_break)) != std::string::npos;) text.replace(at, 2, " ");
+    return text;
+  }
+
+  /// Goes to the next line, with those into which a quote of it goes on. False at the end of the file.
+  bool next_record() {
+    if (next_line_ > source_->lines.size()) return false;
+    line_ = next_line_++;
+    record_ = content(line_);
+    if (form_ == TableForm::points) return true;
+    while (opens_quote(record_) && next_line_ <= source_->lines.size())
+      record_ += " " + content(next_line_++);
+    if (opens_quote(record_)) fail(1, "the line opens a quote that is never closed");
+    return true;
   }
 
   bool read_heads() {
-    line_ = 1;
-    while (line_ < source_->lines.size() && trimmed(content()).empty()) ++line_;
-    const std::string_view line = content();
-    if (form_ == TableForm::points && begins_with_number(line)) {
+    while (next_record() && without_blanks(record_).empty() && next_line_ <= source_->lines.size()) {
+    }
+    const char named = form_ == TableForm::heads ? named_separator(record_) : '\0';
+    if (named != '\0') next_record();
+    if (form_ == TableForm::points && begins_with_number(record_)) {
       take_bare_columns();
       return true;
     }
-    separator_ = separator_of(line);
+    separator_ = named != '\0' ? named : separator_of(record_);
     for (const auto& [name, head] : heads_)
-      if (trimmed(line) == head) separator_ = ',';  // one column, whose head has blanks
-    const std::vector<Field> heads = fields_apart_by(separator_, line);
+      if (without_blanks(record_) == head) separator_ = ',';  // one column, whose head has blanks
+    const std::vector<TableField> heads = fields_apart_by(separator_, record_);
+    if (known_heads(heads) == 0)
+      if (const std::size_t line = line_of_heads(); line > 0) {
+        fail(1, fmt::format("line {} has no known head, line {} has: delete the lines above line {}", line_,
+                            line, line));
+        return false;
+      }
     const std::size_t before = errors_;
-    for (const Field& head : heads) uses_.push_back(use_of(head));
+    take_heads(heads);
+    bool is_missing = false;
     for (const TableColumn& column : columns_)
-      if (column.required && !table_.has(column.name)) fail(1, missing(column));
+      if (column.required && !table_.has(column.name)) {
+        fail(1, missing(column));
+        is_missing = true;
+      }
     for (const auto& [name, head] : heads_)
-      if (std::none_of(heads.begin(), heads.end(), [&](const Field& field) { return field.text == head; }))
+      if (std::none_of(heads.begin(), heads.end(),
+                       [&](const TableField& field) { return field.text == head; }))
         fail(1, fmt::format("no head is `{}`, which `columns` names for `{}`{}", printable(head), name,
                             suggestion(head, texts(heads))));
+    if (!is_missing && errors_ == before && known_heads(heads) == 0)
+      fail(1, fmt::format("no head of a value is known, expected heads such as {}", examples()));
     return errors_ == before;
   }
 
-  /// No head begins with a digit.
-  static bool begins_with_number(std::string_view line) {
-    const std::size_t first = line.find_first_not_of(" \t+-.");
-    return first != std::string_view::npos && line[first] >= '0' && line[first] <= '9';
+  /// The number of heads that are columns, but names.
+  std::size_t known_heads(const std::vector<TableField>& heads) const {
+    return static_cast<std::size_t>(std::count_if(heads.begin(), heads.end(), [&](const TableField& head) {
+      const TableColumn* column = mapped_column(head.text);
+      if (!column) column = match_head(head.text, columns_, heads_).column;
+      return column && !column->is_text;
+    }));
+  }
+
+  /// The first line after this one that has known heads; 0: none of the next hundred.
+  std::size_t line_of_heads() const {
+    constexpr std::size_t most = 100;
+    for (std::size_t line = next_line_; line <= source_->lines.size() && line < next_line_ + most; ++line) {
+      const std::string text = content(line);
+      if (known_heads(fields_apart_by(separator_of(text), text)) > 0) return line;
+    }
+    return 0;
+  }
+
+  std::string examples() const {
+    std::vector<std::string> names;
+    constexpr std::size_t few = 6;
+    for (const TableColumn& column : columns_)
+      if (!column.is_text && names.size() < few) names.push_back(column.name);
+    return choice_text(names);
   }
 
   /// The line is the first record, which is read next.
   void take_bare_columns() {
-    bare_ = true;
+    is_bare_ = true;
     separator_ = ' ';
-    for (const TableColumn& column : columns_)
-      uses_.push_back({&column, &table_.columns_[column.name], {1, column.dimension}});
-    --line_;
-  }
-
-  static std::vector<std::string> texts(const std::vector<Field>& fields) {
-    std::vector<std::string> result;
-    for (const Field& field : fields) result.push_back(field.text);
-    return result;
+    for (const TableColumn& column : columns_) use(column, {column.name, 1}, {{1, column.dimension}, ""});
+    next_line_ = line_;
   }
 
   std::string missing(const TableColumn& column) const {
@@ -284,60 +299,94 @@ class TextTableReader {
                        table_.ignored_.empty() ? "" : did_you_mean(column.name, table_.ignored_));
   }
 
-  /// The column that a head names, with its unit; none for a head that nobody asked for.
-  Use use_of(const Field& head) {
+  /// The column for which `columns` names a head.
+  const TableColumn* mapped_column(std::string_view head) const {
     for (const auto& [name, mapped] : heads_)
-      if (head.text == mapped)
+      if (head == mapped)
         for (const TableColumn& column : columns_)
-          if (column.name == name) return taken(head, column, unit_at_end(head.text, column.dimension));
-    const std::string text = lower(head.text);
-    for (const TableColumn& column : columns_)
-      if (text == column.name && !heads_.contains(column.name))
-        return taken(head, column, {1, column.dimension});
-    for (const TableColumn& column : columns_) {
-      if (column.is_text || !text.starts_with(column.name) || heads_.contains(column.name)) continue;
-      if (const auto unit =
-              trailing_unit(std::string_view(head.text).substr(column.name.size()), column.dimension))
-        return taken(head, column, *unit);
-    }
-    for (const TableColumn& column : columns_)
-      if (const auto unit = unit_by_other_name(head.text, text, column)) return taken(head, column, *unit);
-    table_.ignored_.push_back(head.text);
-    return {};
+          if (column.name == name) return &column;
+    return nullptr;
   }
 
-  /// The unit of a head that begins with another name of a column; nothing if it does not.
-  std::optional<Unit> unit_by_other_name(std::string_view head, std::string_view lowered,
-                                         const TableColumn& column) const {
-    if (heads_.contains(column.name)) return std::nullopt;
-    for (const std::string& name : column.also) {
-      if (lowered == name) return Unit{1, column.dimension};
-      if (!lowered.starts_with(name)) continue;
-      if (const auto unit = trailing_unit(head.substr(name.size()), column.dimension)) return unit;
+  /// Finds the column of each head. Of several names of a column of texts the first of its list counts, as
+  /// `hole` before `id`.
+  void take_heads(const std::vector<TableField>& heads) {
+    std::vector<HeadMatch> matches;
+    for (const TableField& head : heads) {
+      HeadMatch match;
+      if ((match.column = mapped_column(head.text)) != nullptr)
+        match.unit = unit_at_end(head.text, match.column->dimension);
+      else
+        match = match_head(head.text, columns_, heads_);
+      matches.push_back(std::move(match));
     }
-    return std::nullopt;
+    for (std::size_t i = 0; i < heads.size(); ++i) {
+      HeadMatch& match = matches[i];
+      const auto is_better = [&](const HeadMatch& other) {
+        return other.column == match.column && other.name < match.name;
+      };
+      if (match.column && match.column->is_text && std::any_of(matches.begin(), matches.end(), is_better))
+        match.column = nullptr;
+      if (match.begun) fail(heads[i].at, unknown_rest(heads[i].text, match));
+      if (match.column && table_.has(match.column->name)) {
+        fail(heads[i].at,
+             fmt::format("`{}` is a second column of `{}`", printable(heads[i].text), match.column->name));
+        match.column = nullptr;
+      }
+      if (match.column)
+        use(*match.column, heads[i], match.unit);
+      else
+        uses_.emplace_back();
+      if (!match.column && !heads[i].text.empty()) table_.ignored_.push_back(heads[i].text);
+    }
   }
 
-  Use taken(const Field& head, const TableColumn& column, const Unit& unit) {
-    if (table_.has(column.name)) {
-      fail(head.at, fmt::format("`{}` is a second column of `{}`", printable(head.text), column.name));
-      return {};
-    }
-    return {&column, &table_.columns_[column.name], unit};
+  std::string unknown_rest(const std::string& head, const HeadMatch& match) const {
+    const TableColumn& column = *match.begun;
+    const std::string cure =
+        form_ == TableForm::heads
+            ? fmt::format("; `columns: {{ {}: HEAD }}` says which head it is", column.name)
+            : std::string();
+    if (column.is_text || column.dimension == dimension::none)
+      return fmt::format(
+          "`{}` begins with `{}` and goes on with `{}`, expected the name alone, or another name{}",
+          printable(head), column.name, printable(match.rest), cure);
+    const std::string unit = column.dimension == dimension::angle ? "deg" : si_unit(column.dimension);
+    return fmt::format(
+        "`{}` begins as `{}` does, but `{}` is no unit like {}: expected `{} [{}]`, or another name{}",
+        printable(head), column.name, printable(match.rest), unit, column.name, unit, cure);
+  }
+
+  void use(const TableColumn& column, const TableField& head, const HeadUnit& unit) {
+    TextTable::Column& to = table_.columns_[column.name];
+    to = {{}, head.text, static_cast<int>(line_), head.at, unit, column.is_text, uses_.size()};
+    uses_.push_back({&column, &to});
   }
 
   void read_row() {
-    const std::vector<Field> fields =
-        bare_ ? bare_fields(content(), uses_.size()) : fields_apart_by(separator_, content());
+    const std::vector<TableField> fields =
+        is_bare_ ? bare_fields(record_, uses_.size()) : fields_apart_by(separator_, record_);
+    if (std::all_of(fields.begin(), fields.end(), [](const TableField& f) { return f.text.empty(); })) return;
     if (fields.size() != uses_.size()) return fail(1, wrong_count(fields.size()));
     table_.lines_.push_back(static_cast<int>(line_));
     ++table_.rows_;
-    for (std::size_t i = 0; i < fields.size(); ++i)
-      if (uses_[i].column) uses_[i].cells->push_back(read_cell(fields[i], uses_[i]));
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      if (uses_[i].column) uses_[i].to->cells.push_back(read_cell(fields[i], uses_[i]));
+      if (is_summary(fields[i].text) && (!uses_[i].column || uses_[i].column->is_text) &&
+          is_first_text(fields, i))
+        fail(fields[i].at, fmt::format("the row `{}` sums up others, and is no record: delete it",
+                                       printable(fields[i].text)));
+    }
+  }
+
+  /// Whether all fields before one are empty.
+  static bool is_first_text(const std::vector<TableField>& fields, std::size_t index) {
+    return std::all_of(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(index),
+                       [](const TableField& field) { return field.text.empty(); });
   }
 
   std::string wrong_count(std::size_t found) const {
-    if (bare_) {
+    if (is_bare_) {
       const std::vector<std::string> names = names_of(columns_);
       return fmt::format("expected {} numbers, {} and {}, found {}{}", names.size() == 2 ? "two" : "three",
                          fmt::join(names.begin(), names.end() - 1, ", "), names.back(), found,
@@ -354,57 +403,104 @@ class TextTableReader {
     constexpr std::pair<char, const char*> names[] = {
         {',', "commas"}, {';', "semicolons"}, {'\t', "tabs"}, {' ', "blanks"}};
     const auto name_of = [&](char separator) {
-      return std::find_if(std::begin(names), std::end(names),
-                          [&](const auto& one) { return one.first == separator; })
-          ->second;
+      const auto known = std::find_if(std::begin(names), std::end(names),
+                                      [&](const auto& one) { return one.first == separator; });
+      return known == std::end(names) ? fmt::format("`{}`", separator) : std::string(known->second);
     };
     if (separator_ == ',' && found == 2 * uses_.size())
       return ": with commas in decimals, separate the values by semicolons";
     for (const auto& [other, name] : names)
-      if (other != separator_ && uses_.size() > 1 && fields_apart_by(other, content()).size() == uses_.size())
+      if (other != separator_ && uses_.size() > 1 && fields_apart_by(other, record_).size() == uses_.size())
         return fmt::format(": its values are apart by {}, the heads by {}", name, name_of(separator_));
     return "";
   }
 
-  TextTable::Cell read_cell(const Field& field, const Use& use) {
+  TextTable::Cell read_cell(const TableField& field, const Use& use) {
     TextTable::Cell cell{field.text, 0, false, field.at};
     if (field.text.empty()) {
       if (use.column->required) fail(field.at, fmt::format("`{}` is empty", use.column->name));
     } else if (!use.column->is_text) {
-      std::string text = field.text;
-      if (separator_ != ',' && text.find('.') == std::string::npos)
-        if (const std::size_t comma = text.find(','); comma != std::string::npos) text[comma] = '.';
-      const auto number = number_of(text);
-      if (!number)
-        fail(field.at,
-             fmt::format("`{}` is not a number, expected `{}`", printable(field.text), use.column->name));
+      const auto number = number_of(in_decimal_points(field));
+      if (!number) fail(field.at, no_number(field.text, *use.column));
       cell.is_number = number.has_value();
-      cell.number = Quantity{number.value_or(0), true, use.unit, ""}.si();
+      cell.number = Quantity{number.value_or(0), true, use.to->unit.unit, "", false}.si();
+      needs_unit(cell, use);
     }
     return cell;
   }
 
-  /// As programs write numbers: +1.5, 007, 1E3.
-  static std::optional<double> number_of(std::string_view text) {
-    std::string plain(text);
-    std::size_t at = plain.starts_with('-') || plain.starts_with('+') ? 1 : 0;
-    while (at + 1 < plain.size() && plain[at] == '0' && plain[at + 1] >= '0' && plain[at + 1] <= '9')
-      plain.erase(at, 1);
-    if (plain.starts_with('+')) plain.erase(0, 1);
-    return parse_number(plain);
+  std::string no_number(const std::string& text, const TableColumn& column) const {
+    if (table_.rows_ == 1 && unit_of_head(text, column.dimension) && column.dimension != dimension::none)
+      return fmt::format("`{}` is a unit, expected it in the head of its column: `{} [{}]`", printable(text),
+                         column.name, printable(text));
+    return fmt::format("`{}` is not a number, expected `{}`", printable(text), column.name);
   }
+
+  /// A number with a decimal point. A table has one decimal sign.
+  std::string in_decimal_points(const TableField& field) {
+    std::string text = field.text;
+    const bool has_point = text.find('.') != std::string::npos;
+    const std::size_t comma = has_point || separator_ == ',' ? std::string::npos : text.find(',');
+    if (comma != std::string::npos) text[comma] = '.';
+    if (!has_point && comma == std::string::npos) return text;
+    Sign& own = signs_[has_point ? 0 : 1];
+    const Sign& other = signs_[has_point ? 1 : 0];
+    if (own.line > 0) return text;
+    own = {field.text, static_cast<int>(line_)};
+    if (other.line > 0)
+      fail(field.at,
+           fmt::format("`{}` has a decimal {} and `{}` of line {} a {}, expected one sign in a table",
+                       printable(field.text), has_point ? "point" : "comma", printable(other.text),
+                       other.line, has_point ? "comma" : "point"));
+    return text;
+  }
+
+  /// A bare 17 of times is seconds or milliseconds, a bare 80 of angles degrees or radians.
+  void needs_unit(const TextTable::Cell& cell, const Use& use) {
+    const bool is_time = use.column->dimension == dimension::time;
+    if (!is_time && use.column->dimension != dimension::angle) return;
+    if (cell.number == 0 || !use.to->unit.text.empty()) return;
+    const std::string& name = use.column->name;
+    if (std::find(without_unit_.begin(), without_unit_.end(), name) != without_unit_.end()) return;
+    without_unit_.push_back(name);
+    fail_at(use.to->line, use.to->at,
+            fmt::format("`{}` needs a unit: `{}_{}` or `{}_{}`?", printable(use.to->head), name,
+                        is_time ? "ms" : "deg", name, is_time ? "s" : "rad"));
+  }
+
+  void check_rows() {
+    if (table_.rows_ == 0 && errors_ == 0) return fail_at(1, 1, "the table has no line but its heads");
+    const auto x = table_.columns_.find("x");
+    if (errors_ > 0 || x == table_.columns_.end()) return;
+    const std::vector<TextTable::Cell>& cells = x->second.cells;
+    const auto is_placed = [](const TextTable::Cell& cell) { return cell.is_number; };
+    if (std::none_of(cells.begin(), cells.end(), is_placed)) return;
+    for (std::size_t row = 0; row < cells.size(); ++row)
+      if (!is_placed(cells[row]) && !table_.number(row, "distance"))
+        fail_at(table_.lines_[row], cells[row].at,
+                "the row has no place `x`, others have: expected a place, or no row");
+  }
+
+  /// A number and where it was first seen.
+  struct Sign {
+    std::string text;
+    int line = 0;
+  };
 
   std::span<const TableColumn> columns_;
   const std::map<std::string, std::string>& heads_;
   const Node& where_;
   Diagnostics& diagnostics_;
   TableForm form_;
-  bool bare_ = false;  ///< without heads
+  bool is_bare_ = false;  ///< without heads
   std::shared_ptr<const Source> source_;
   TextTable table_;
   std::vector<Use> uses_;
-  std::size_t line_ = 1;  ///< from 1
+  std::string record_;                    ///< the line, without its comment
+  std::size_t line_ = 1, next_line_ = 1;  ///< from 1
   char separator_ = ',';
+  std::array<Sign, 2> signs_;              ///< the first number with a decimal point, and with a comma
+  std::vector<std::string> without_unit_;  ///< columns that need a unit, each said once
   std::size_t errors_ = 0;
 };
 

@@ -9,18 +9,9 @@
 #include <vector>
 
 #include "document/node.h"
-#include "units/units.h"
+#include "document/table_head.h"
 
 namespace flyrock {
-
-/// A column that a table may have.
-struct TableColumn {
-  std::string name;
-  Dimension dimension;                 ///< of its numbers
-  bool is_text = false;                ///< names in place of numbers
-  bool required = false;               ///< the table must have it, and a value in each line
-  std::vector<std::string> also = {};  ///< other names, where no column has them with this unit
-};
 
 /// How a table begins.
 enum class TableForm {
@@ -41,8 +32,17 @@ class TextTable {
   std::string_view text(std::size_t row, std::string_view column) const;
   /// Where a cell stands; the begin of its line if there is no such column.
   Location at(std::size_t row, std::string_view column) const;
+  /// The head of a column as the file writes it, and where it stands.
+  std::string_view head(std::string_view column) const;
+  Location head_at(std::string_view column) const;
+  /// The unit of a column, "kg/m"; empty: its head has none.
+  std::string_view unit(std::string_view column) const;
+  /// An SI number in the unit of its column, with it: "12.4 m".
+  std::string shown(std::string_view column, double si) const;
   /// Heads that no column asked for.
   const std::vector<std::string>& ignored() const { return ignored_; }
+  /// What was read: "3 rows; burden 1.9 to 3 m, time 0 to 34 ms; not read: `note`".
+  std::string summary() const;
 
  private:
   friend class TextTableReader;
@@ -52,22 +52,37 @@ class TextTable {
     bool is_number = false;
     int at = 1;  ///< from 1
   };
+  struct Column {
+    std::vector<Cell> cells;
+    std::string head;
+    int line = 1, at = 1;  ///< of the head
+    HeadUnit unit;
+    bool is_text = false;
+    std::size_t place = 0;  ///< among the heads
+  };
 
   const Cell* cell(std::size_t row, std::string_view column) const;
 
   std::shared_ptr<const Source> source_;
   std::size_t rows_ = 0;
   std::vector<int> lines_;  ///< of the rows, from 1
-  std::map<std::string, std::vector<Cell>, std::less<>> columns_;
+  std::map<std::string, Column, std::less<>> columns_;
   std::vector<std::string> ignored_;
+  std::vector<std::string> known_;  ///< the columns that were asked for
 };
 
 /// Reads a table: a line of heads, then a record a line. Values are apart by commas, semicolons, tabs or
-/// blanks, whichever the heads are, and may stand in double quotes; except with commas 1,5 is 1.5. A head is
-/// the name of a column, alone (SI units) or with a unit: `mass_kg`, `vx_m_s`, `charge_kg_per_m`, `mass [t]`;
-/// the order is free. `heads` gives other heads by name of column: { "mass": "weight_t" }. An empty cell is a
-/// value that is not there. Reports all that is wrong with its line and column, at most 20 places; then, or
-/// if `where`, the value that names the file, is at fault, returns nothing.
+/// blanks, whichever the heads are, and may stand in double quotes; except with commas 1,5 is 1.5, if no
+/// number of the table has a point. A head is the name of a column, or another name of it, alone (SI units)
+/// or with a unit (document/table_head.h); the order is free. `heads` gives other heads by name of column: {
+/// "mass": "weight_t" }. An empty cell is a value that is not there, and a row of empty cells is none.
+///
+/// What may mean something else is an error: a head that begins with a name and goes on with what is no unit;
+/// a first line without a known head but a name; times and angles without a unit; two decimal signs; a row
+/// without a place (`x`) or a `distance` where others have a place; a row that is a total or a mean.
+///
+/// Reports all that is wrong with its line and column, at most 20 places; then, or if `where`, the value that
+/// names the file, is at fault, returns nothing.
 std::optional<TextTable> read_table(const std::string& path, std::span<const TableColumn> columns,
                                     const std::map<std::string, std::string>& heads, const Node& where,
                                     Diagnostics& diagnostics, TableForm form = TableForm::heads);

@@ -180,10 +180,12 @@ bool is_inside(const std::vector<Vec2>& polygon, const Vec2& place) {
   return inside;
 }
 
-bool is_inside(const std::vector<std::vector<Vec2>>& outlines, const Vec2& place) {
-  bool inside = false;
-  for (const std::vector<Vec2>& outline : outlines) inside = inside != is_inside(outline, place);
-  return inside;
+bool is_inside(const std::vector<PlanPolygon>& polygons, const Vec2& place) {
+  return std::any_of(polygons.begin(), polygons.end(), [&](const PlanPolygon& polygon) {
+    const auto is_about = [&](const PlanRing& hole) { return is_inside(hole, place); };
+    return is_inside(polygon.outline, place) &&
+           std::none_of(polygon.holes.begin(), polygon.holes.end(), is_about);
+  });
 }
 
 std::string polygon_fault(const std::vector<Vec2>& polygon) {
@@ -205,16 +207,19 @@ std::string polygon_fault(const std::vector<Vec2>& polygon) {
 }
 
 TerrainShape3 with_zone(TerrainShape3 shape, const std::string& name, const std::vector<Vec2>& polygon) {
-  return with_outlined_zone(std::move(shape), name, {polygon});
+  return with_zone(std::move(shape), name, std::vector<PlanPolygon>{{polygon, {}}});
 }
 
-TerrainShape3 with_outlined_zone(TerrainShape3 shape, const std::string& name,
-                                 const std::vector<std::vector<Vec2>>& outlines) {
+TerrainShape3 with_zone(TerrainShape3 shape, const std::string& name,
+                        const std::vector<PlanPolygon>& polygons) {
   if (const Plane* plane = std::get_if<Plane>(&shape)) shape = square_of(*plane);
   if (Mesh* mesh = std::get_if<Mesh>(&shape))
-    for (const std::vector<Vec2>& outline : outlines) Cutter(*mesh).cut(outline);
+    for (const PlanPolygon& polygon : polygons) {
+      Cutter(*mesh).cut(polygon.outline);
+      for (const PlanRing& hole : polygon.holes) Cutter(*mesh).cut(hole);
+    }
   return with_zone(std::move(shape), name,
-                   [&outlines](const Vec2& place) { return is_inside(outlines, place); });
+                   [&polygons](const Vec2& place) { return is_inside(polygons, place); });
 }
 
 TerrainShape3 with_zone(TerrainShape3 shape, const std::string& name,

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/plan_region.h"
 #include "geometry/terrain_shape.h"
 
 namespace flyrock {
@@ -12,8 +13,8 @@ namespace flyrock {
 /// Whether a place lies inside of a simple polygon (its corners in order, either way round).
 bool is_inside(const std::vector<Vec2>& polygon, const Vec2& place);
 
-/// Whether an odd number of outlines is about a place.
-bool is_inside(const std::vector<std::vector<Vec2>>& outlines, const Vec2& place);
+/// Whether a place lies inside of one of several polygons, and in none of the holes of that one.
+bool is_inside(const std::vector<PlanPolygon>& polygons, const Vec2& place);
 
 /// Why corners do not outline a simple polygon; empty if they do: at least three, no two edges that cross or
 /// touch, an area.
@@ -24,10 +25,9 @@ std::string polygon_fault(const std::vector<Vec2>& polygon);
 /// mesh that reaches 1 km from its point.
 TerrainShape3 with_zone(TerrainShape3 shape, const std::string& name, const std::vector<Vec2>& polygon);
 
-/// The same for several outlines, of polygons and their holes: a place is inside where an odd number of them
-/// is about it.
-TerrainShape3 with_outlined_zone(TerrainShape3 shape, const std::string& name,
-                                 const std::vector<std::vector<Vec2>>& outlines);
+/// The same for the union of several polygons with holes, which may overlap.
+TerrainShape3 with_zone(TerrainShape3 shape, const std::string& name,
+                        const std::vector<PlanPolygon>& polygons);
 
 /// The same for a region that `covers` describes: a triangle, or a cell of a grid, belongs to it if its
 /// centre does.

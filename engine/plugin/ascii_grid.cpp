@@ -263,8 +263,14 @@ RasterFile read_ascii_grid(const std::string& who, const std::string& path, std:
         fmt::format("{}: {}: is in degrees, as the file .prj beside it says, expected metres: project it "
                     "first, for example with gdalwarp",
                     who, path));
+  if (!projection.fault.empty())
+    throw PluginError(
+        fmt::format("{}: {}: the file .prj beside it is not understood: {}; or, where its numbers "
+                    "are metres, remove that file",
+                    who, path, projection.fault));
   file.plan_unit = projection.plan_unit;
-  file.crs = projection.crs;
+  file.height_unit = projection.height_unit;
+  if (!projection.is_geographic) file.crs = projection.crs;
   return file;
 }
 

@@ -55,10 +55,9 @@ RasterFile read_raster_file(const std::string& who, const std::string& path, std
 }
 
 double metres_in(const std::string& unit) {
-  if (unit == "m") return 1;
-  if (unit == "ft") return 0.3048;
   if (unit == "us_ft") return 1200.0 / 3937.0;
-  return 0;
+  const auto known = parse_unit(unit);
+  return known && known->dimension == dimension::length ? known->factor : 0;
 }
 
 }  // namespace flyrock

@@ -14,7 +14,8 @@ namespace flyrock {
 struct RasterFile {
   HeightGrid grid;                           ///< heights and places in the units of the file
   double value_scale = 1, value_offset = 0;  ///< height = scale x value of the file + offset, done
-  std::string height_unit;                   ///< m, ft or us_ft; empty: the file does not say
+  std::string height_unit;                   ///< metres_in() knows it; empty: the file does not say
+  std::string unknown_height_unit = {};      ///< as the file writes it, where it is none that is known
   std::string plan_unit;                     ///< of places and cells; empty: the file does not say
   std::string crs;                           ///< "EPSG:2056"; empty: the file does not say
   std::vector<std::string> notes;
@@ -40,7 +41,7 @@ inline bool is_no_data(double value, double no_data) {
   return std::isnan(value) || std::abs(value - no_data) <= digits * std::abs(no_data);
 }
 
-/// Metres in `m`, `ft` or `us_ft`; 0 for another text.
+/// Metres in a unit of length, also `us_ft`; 0 for another text.
 double metres_in(const std::string& unit);
 
 /// The side of cells that are squares to 1e-4; nothing if they are not.

@@ -18,6 +18,7 @@ namespace flyrock {
 struct SurveyReport {
   std::string size;                ///< "227,000 cells of 5 m, 412 to 1,180 m"
   std::string crs;                 ///< "EPSG:2056"; empty: the file does not say
+  bool is_converted = false;       ///< its places were made metres: `crs` of the file is not theirs
   std::vector<std::string> notes;  ///< what was changed or may be wrong, a sentence each, for warnings
 };
 

@@ -1,5 +1,6 @@
 #include "report/azimuth_data.h"
 
+#include "geometry/bearing.h"
 #include "report/json_object.h"
 
 namespace flyrock {
@@ -17,8 +18,11 @@ Json percentile_data(const AzimuthSector::Percentile& percentile) {
 
 }  // namespace
 
-Json azimuth_data(const PointResult& point) {
+Json azimuth_data(const PointResult& point, double north) {
   constexpr double width = 360.0 / azimuth_sectors;
+  const auto bearing = [&](std::size_t edge) {
+    return bearing_degrees(width * static_cast<double>(edge) * pi / 180, north);
+  };
   Json list = Json::array();
   for (std::size_t g = 0; g < point.azimuths.size(); ++g) {
     const RunoutByAzimuth& azimuths = point.azimuths[g];
@@ -29,6 +33,8 @@ Json azimuth_data(const PointResult& point) {
       if (sector.count == 0) continue;
       sectors.push_back({{"from_deg", width * static_cast<double>(i)},
                          {"to_deg", width * static_cast<double>(i + 1)},
+                         {"bearing_from_deg", bearing(i + 1)},
+                         {"bearing_to_deg", bearing(i)},
                          {"count", sector.count},
                          {"share", sector.share.value},
                          {"share_interval", interval_data(sector.share.interval)},

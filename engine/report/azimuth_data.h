@@ -11,6 +11,6 @@ namespace flyrock {
 /// count, share, share_interval, greatest, lower_bound, p50, p95 }] }, of the sectors with rocks. p50 and p95
 /// are null with fewer than `least` rocks, else { value, lower_bound, interval }. Empty in 2D and for
 /// `bodies`.
-nlohmann::ordered_json azimuth_data(const PointResult& point);
+nlohmann::ordered_json azimuth_data(const PointResult& point, double north);
 
 }  // namespace flyrock

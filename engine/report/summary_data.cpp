@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/bearing.h"
 #include "report/azimuth_data.h"
 #include "report/comparison_data.h"
 #include "report/exposure_data.h"
@@ -300,13 +301,14 @@ Json trees_data(const TreeSummary& trees) {
 }
 
 /// The area about (x, y), from a hull: { x, y, hull: [[x, y], ...], beyond, effective, sectors: [{
-/// azimuth_deg, count, share, share_interval, greatest, distance, lower_bound, with_factor }] }. `beyond` is
-/// null where there is no area.
-Json area_data(const AreaSummary& area) {
+/// azimuth_deg, bearing_deg, count, share, share_interval, greatest, distance, lower_bound, with_factor }] }.
+/// `beyond` is null where there is no area.
+Json area_data(const AreaSummary& area, double north) {
   Json hull = Json::array(), list = Json::array();
   for (const Vec2& corner : area.hull) hull.push_back({corner.x(), corner.y()});
   for (const SectorSummary& sector : area.sectors)
     list.push_back({{"azimuth_deg", sector.azimuth * 180 / pi},
+                    {"bearing_deg", bearing_degrees(sector.azimuth, north)},
                     {"count", sector.count},
                     {"share", number(sector.share.value)},
                     {"share_interval", interval_data(sector.share.interval)},
@@ -389,7 +391,7 @@ Json clearances_data(const Scenario& scenario, const std::vector<ClearanceSummar
       list.back()["known_throw"] = *plan.known_throw;
       list.back()["beyond_known_throw"] = beyond_known_throw * *plan.known_throw;
     }
-    if (plan.sectors > 0) list.back()["area"] = area_data(clearance.area);
+    if (plan.sectors > 0) list.back()["area"] = area_data(clearance.area, scenario.terrain.north);
     if (!plan.least_area) continue;
     list.back()["area_least"] = least_area_data(plan, clearance.least_area);
     list.back()["circle_hectares"] = number(clearance.least_area.circle_hectares);
@@ -561,7 +563,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                       {"trials", point.trials},
                       {"rocks", groups},
                       {"censored", censored_data(plan.points[p], point)},
-                      {"runout_by_azimuth", azimuth_data(point)},
+                      {"runout_by_azimuth", azimuth_data(point, plan.points[p].terrain.north)},
                       {"gates", gates_data(plan.points[p], point)},
                       {"barriers", barriers_data(plan.points[p], point)},
                       {"clearance", clearances_data(plan.points[p], point.clearances)},
@@ -615,6 +617,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
     data["first_sentence"] = sentence;
   if (const Json head = document_data(first.document); !head.empty()) data["document"] = head;
   if (!first.terrain.crs.empty()) data["crs"] = first.terrain.crs;
+  if (first.dimension == 3) data["north_deg"] = std::round(first.terrain.north * 180 / pi * 1e9) / 1e9;
   if (!results.ended_early.empty()) data["ended_early"] = results.ended_early;
   if (results.best) data["best_point"] = best_point_data(plan, *results.best);
   if (weighted) data["weights"] = meaning_of_weights;

@@ -353,6 +353,21 @@ std::string surveyed_ground(const Plan& plan) {
   return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
+namespace {
+
+/// Which rocks the air slows down.
+std::string assumed_air(const Scenario& scenario) {
+  const char* drag = "drag of the air as on a sphere of equal volume";
+  std::vector<std::string> with, without;
+  for (const RockGroup& group : scenario.rocks) (group.air ? with : without).push_back(group.name);
+  if (scenario.rocks.empty()) (scenario.air ? with : without).emplace_back();
+  if (with.empty()) return "no drag of the air";
+  if (without.empty()) return drag;
+  return fmt::format("{} for `{}`, none for `{}`", drag, fmt::join(with, "`, `"), fmt::join(without, "`, `"));
+}
+
+}  // namespace
+
 std::string assumptions(const Plan& plan) {
   const Scenario& scenario = plan.points.front();
   std::string text =
@@ -361,18 +376,18 @@ std::string assumptions(const Plan& plan) {
     text +=
         "each rock is a point whose path ends where it first meets the ground: what it does there is not "
         "computed; ";
-    text += scenario.air ? "drag of the air as on a sphere of equal volume." : "no drag of the air.";
+    text += assumed_air(scenario) + ".";
   } else if (plan.methods() == std::vector{Method::lumped_mass}) {
     text +=
         "each rock is a point without extent and spin that rebounds from the ground and slides on it (lumped "
         "mass): its mass and size matter only where a law, the air or a barrier reads them; ";
-    text += scenario.air ? "drag of the air as on a sphere of equal volume." : "no drag of the air.";
+    text += assumed_air(scenario) + ".";
   } else {
     text += "rigid bodies, ";
     if (scenario.bodies.empty())
       text += scenario.rock_contacts ? "rocks that meet each other, "
                                      : "each rock alone, rocks do not meet each other, ";
-    text += scenario.air ? "drag of the air as on a sphere of equal volume; " : "no drag of the air; ";
+    text += assumed_air(scenario) + "; ";
     text += "contacts by non-smooth contact dynamics, ";
     text += scenario.solver.flight == FlightMode::exact ? "flights exact between them."
                                                         : "flights in time steps.";

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/bearing.h"
 #include "results/answer.h"
 #include "results/wording.h"
 #include "scenario/plan.h"
@@ -148,11 +149,12 @@ std::string exposure_over_points(const Plan& plan, const Results& results, std::
   return text + '.';
 }
 
-/// "The area of people reaches farthest at azimuth 45 deg, from the hull of the release places."
-std::string area_direction(const ClearancePlan& asked, const ClearanceSummary& found) {
+/// "The area of people reaches farthest at bearing 45 deg, north-east, from the hull of the release places."
+std::string area_direction(const Plan& plan, const ClearancePlan& asked, const ClearanceSummary& found) {
   if (asked.sectors == 0 || !found.area.farthest()) return {};
-  return fmt::format(" The area of {} reaches farthest at azimuth {} deg, from {}.", asked.name,
-                     three_digits(found.area.farthest()->azimuth * 180 / pi), from_of(asked));
+  return fmt::format(" The area of {} reaches farthest at {}, from {}.", asked.name,
+                     bearing_text(found.area.farthest()->azimuth, plan.points.front().terrain.north),
+                     from_of(asked));
 }
 
 /// " A blast has 3600 rocks." The farthest rock of few is nearer than the farthest of many.
@@ -199,7 +201,7 @@ std::string beside_questions(const Plan& plan, const Results& results) {
   std::string text;
   for (std::size_t c = 0; c < scenario.clearances.size(); ++c) {
     const ClearancePlan& asked = scenario.clearances[c];
-    text += area_direction(asked, point.clearances.at(c)) + least_area_answer(plan, results, c);
+    text += area_direction(plan, asked, point.clearances.at(c)) + least_area_answer(plan, results, c);
     if (asked.known_throw)
       text += fmt::format(" {} times the farthest known throw is {} m.", three_digits(beyond_known_throw),
                           three_digits(beyond_known_throw * *asked.known_throw));

@@ -133,14 +133,21 @@ RiskSummary RiskTally::summary() const {
       if (counted.risk.rocks > 0) summary.risks.push_back(counted.risk);
   if (summary.risks.empty() && farthest_.risk.rocks > 0) summary.risks.push_back(farthest_.risk);
   if (scenario_.branches.empty()) return summary;
+  const auto share_of_holes = [&](std::size_t b) {
+    const std::vector<int>& own = scenario_.branches[b].holes;
+    return own.empty() ? 1 : static_cast<double>(own.size()) / static_cast<double>(holes_);
+  };
   double regular = 1;
-  for (const BranchPlan& branch : scenario_.branches) regular -= branch.probability;
+  for (std::size_t b = 0; b < scenario_.branches.size(); ++b)
+    regular -= scenario_.branches[b].probability * share_of_holes(b);
   for (std::size_t b = 0; b < of_branch_.size(); ++b) {
     BranchSummary& branch = summary.branches.emplace_back();
     branch.per_blast = is_of_blasts(static_cast<int>(b));
     branch.probability = b == 0 ? regular : scenario_.branches[b - 1].probability;
     branch.units = units_[b];
-    const std::uint64_t all = branch.per_blast ? trials_ : trials_ * holes_;
+    const std::uint64_t holes =
+        b == 0 || scenario_.branches[b - 1].holes.empty() ? holes_ : scenario_.branches[b - 1].holes.size();
+    const std::uint64_t all = branch.per_blast ? trials_ : trials_ * holes;
     branch.share.value = static_cast<double>(branch.units) / static_cast<double>(all);
     branch.share.interval =
         share_interval(static_cast<double>(branch.units), static_cast<double>(all), stated_confidence);

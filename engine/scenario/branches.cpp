@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "scenario/decode.h"
+#include "scenario/decode_sections.h"
 #include "scenario/normalise.h"
 
 namespace flyrock {
@@ -41,6 +42,8 @@ Value normalise_branches(DecodeContext& context, const Node& list) {
       if (set->entries().empty()) set->error(context.diagnostics, "is empty, expected at least one path");
       if (branch.map()) put(*branch.map(), *set, *set->value);
     }
+    if (const auto holes = item.find("holes"); holes && branch.map())
+      put(*branch.map(), *holes, normalise_names(context, *holes, "hole"));
     return branch;
   });
 }
@@ -90,7 +93,9 @@ std::vector<BlastField> fields_of_branch(const Node& branch) {
   const auto set = branch.find("set");
   for (const Node& entry : set ? set->entries() : std::vector<Node>())
     for (const BlastFieldInfo& info : blast_fields())
-      if (entry.key == "blast." + std::string(info.path)) fields.push_back(info.field);
+      if (entry.key == "blast." + std::string(info.path) ||
+          (info.field == BlastField::hole_azimuth && entry.key == "blast.hole.bearing"))
+        fields.push_back(info.field);
   return fields;
 }
 
@@ -114,6 +119,11 @@ void keep_branch(const Node& branch, BranchPlan plan, std::shared_ptr<Scenario> 
     if (!plan.per_blast && own->rocks[g].launch.has_value() != regular.rocks[g].launch.has_value())
       return branch.error(diagnostics, fmt::format("launches `{}`, whose regular rocks start at rest",
                                                    regular.rocks[g].name));
+  if (const auto holes = branch.find("holes")) {
+    if (plan.per_blast || !regular.blast || !regular.blast->has_holes())
+      return holes->error(diagnostics, "needs `per: hole` and `blast.holes`");
+    plan.holes = holes_named(diagnostics, *holes, regular.blast->pattern.measured, false);
+  }
   for (const Draw& draw : regular.draws) {
     const auto found = std::find_if(own->draws.begin(), own->draws.end(), [&](const Draw& other) {
       return other.stream == draw.stream && other.factor == draw.factor;
@@ -127,8 +137,13 @@ void keep_branch(const Node& branch, BranchPlan plan, std::shared_ptr<Scenario> 
 void check_probabilities(const Value& root, const Scenario& regular, Diagnostics& diagnostics) {
   if (!regular.branches.empty() && regular.rocks.empty())
     Node::root(root).find("branches")->error(diagnostics, "needs `rocks`, the scenario has none");
-  double sum = 0;
-  for (const BranchPlan& branch : regular.branches) sum += branch.probability;
+  double sum = 0;  // of the hole that has most of them
+  for (int hole = 0; hole == 0 || (regular.blast && hole < regular.blast->pattern.holes()); ++hole) {
+    double of_hole = 0;
+    for (const BranchPlan& branch : regular.branches)
+      if (branch.may_happen_to(hole)) of_hole += branch.probability;
+    sum = std::max(sum, of_hole);
+  }
   constexpr double rounding = 1e-12;
   if (sum > 1 + rounding)
     Node::root(root)

@@ -18,6 +18,12 @@ void decode_fields(DecodeContext& context, const Node& node, std::string_view se
     for (const BlastFieldInfo& info : blast_fields())
       if (info.path == std::string(prefix) + spec.name && fields.given(spec.name))
         plan.fields[info.field] = fields.number(spec.name);
+  const std::optional<Node> bearing = section == "blast.hole" ? node.find("bearing") : std::nullopt;
+  if (!bearing || bearing->value->is_null()) return;
+  if (fields.given("azimuth"))
+    bearing->error(context.diagnostics, "says the same as `azimuth`, expected one of them");
+  else
+    plan.fields[BlastField::hole_azimuth] = azimuth_of(context, *bearing, fields.number("bearing"));
 }
 
 /// D/3 for a Gurney constant that is not given. The draw of D itself is scaled by 1/3, so that both vary
@@ -173,6 +179,7 @@ BlastPlan decode_blast(DecodeContext& context, const Node& node) {
                       section.constant("distance"),   section.constant("delay_row"),
                       section.constant("delay_hole"), section.constant("delay_in_hole")};
   }
+  plan.has_mathematical_azimuths = node.find("azimuths").has_value();
   decode_holes(context, node, plan);
   if (const auto face = node.find("face"); face && !plan.has_holes())
     face->error(context.diagnostics, "gives the burdens of `holes`, the blast has none");

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "scenario/decode_sections.h"
+#include "scenario/leaning_holes.h"
 #include "scenario/measure.h"
 #include "scenario/normalise.h"
 #include "scenario/plan.h"
@@ -24,12 +25,16 @@ class DocumentDecoder {
     if (const auto air = root_.find("air")) scenario_.air = decode_air(context_, *air);
     check_method();
     const bool flies = scenario_.method == Method::ballistic;
+    if (const auto terrain = root_.find("terrain"))
+      if (const Value* north = terrain->value->find("north"); north && !north->is_null())
+        context_.north = si_of(*north);
     if (const auto materials = root_.find("materials"))
       scenario_.materials = decode_materials(context_, *materials);
     DecodedTerrain terrain;
     if (const auto node = root_.find("terrain")) {
       terrain = decode_terrain(context_, *node, scenario_.materials, !flies, scenario_.streams.seed);
       scenario_.terrain = terrain.plan;
+      scenario_.terrain.north = context_.north;
     }
     if (const auto pairs = root_.find("pairs"))
       scenario_.pairs = decode_pairs(context_, *pairs, scenario_.materials, pair_names(terrain.parts));
@@ -40,6 +45,8 @@ class DocumentDecoder {
           context_.is_sound(blast->path) && context_.diagnostics.errors_given() == errors_before;
       if (blast_is_sound_) check_hole(context_, *blast, *scenario_.blast, scenario_.terrain);
       context_.has_holes = scenario_.blast->has_holes();
+      if (blast_is_sound_ && context_.has_holes && context_.forced_fields.empty())
+        warn_of_holes_away_from_faces(context_, *blast, *scenario_.blast, terrain);
     }
     decode_moving(terrain);
     if (const auto barriers = root_.find("barriers"))
@@ -70,6 +77,7 @@ class DocumentDecoder {
     if (const auto answer = root_.find("answer"))
       scenario_.answer = decode_answer(*answer, measure_names(root_, scenario_.dimension));
     scenario_.draws = context_.draws;
+    scenario_.tables = context_.tables;
     spread_runs();
     cover_draws(root_, scenario_, context_.diagnostics);
     return std::move(scenario_);
@@ -145,6 +153,8 @@ class DocumentDecoder {
     if (rocks) {
       scenario_.rocks = decode_rocks(context_, *rocks, scenario_.materials, terrain);
       check_group_names(*rocks);
+      give_air(*rocks);
+      choose_holes(*rocks);
       check_reads(*rocks);
       check_places_of_holes(*rocks);
       check_materials(*rocks, scenario_.rocks, 0,
@@ -157,6 +167,46 @@ class DocumentDecoder {
         return scenario_.method == Method::nscd && scenario_.body_contacts && (is_free(a) || is_free(b));
       });
     }
+  }
+
+  /// A group without `air` of its own has that of the scenario.
+  void give_air(const Node& rocks) {
+    const std::vector<Node> items = rocks.items();
+    for (std::size_t g = 0; g < items.size() && g < scenario_.rocks.size(); ++g)
+      if (!items[g].find("air")) scenario_.rocks[g].air = scenario_.air;
+  }
+
+  /// The holes of the groups `per_hole`: all, or those of `rows` or `holes`.
+  void choose_holes(const Node& rocks) {
+    if (!scenario_.blast || !blast_is_sound_) return;
+    const std::vector<Hole>& holes = scenario_.blast->pattern.measured;
+    const std::vector<Node> items = rocks.items();
+    for (std::size_t g = 0; g < items.size() && g < scenario_.rocks.size(); ++g) {
+      RockGroup& group = scenario_.rocks[g];
+      const auto rows = items[g].find("rows"), names = items[g].find("holes");
+      if (rows)
+        group.holes = holes_named(context_.diagnostics, *rows, holes, true);
+      else if (names)
+        group.holes = holes_named(context_.diagnostics, *names, holes, false);
+      else if (group.per_hole)
+        for (std::size_t h = 0; h < holes.size(); ++h) group.holes.push_back(static_cast<int>(h));
+      if (group.per_hole && !rows && !names) warn_of_later_rows(items[g], group, holes);
+    }
+  }
+
+  /// The face is in front of the first row.
+  void warn_of_later_rows(const Node& item, const RockGroup& group, const std::vector<Hole>& holes) {
+    if (!group.release || group.release->kind != ReleaseKind::face || holes.empty()) return;
+    int front = holes.front().row;
+    for (const Hole& hole : holes) front = std::min(front, hole.row);
+    const auto behind =
+        std::count_if(holes.begin(), holes.end(), [&](const Hole& hole) { return hole.row > front; });
+    if (behind > 0)
+      context_.diagnostics.warning(
+          item.find("per_hole")->key_at, item.path + ".per_hole",
+          fmt::format("{} of the {} holes stand behind row {}, and their rocks leave from the free face too: "
+                      "`rows: [{}]` takes those of the front row alone",
+                      behind, holes.size(), front, front));
   }
 
   /// What hits is told by where rocks first land.

@@ -9,6 +9,8 @@
 #include "document/table.h"
 #include "geometry/terrain_shape.h"
 #include "plugin/models.h"
+#include "scenario/leaning_holes.h"
+#include "scenario/table_cells.h"
 
 namespace flyrock {
 
@@ -47,12 +49,27 @@ std::unique_ptr<const FaceSurvey> survey_of_mesh(DecodeContext& context, const N
   }
 }
 
+std::vector<TableColumn> point_columns() {
+  std::vector<TableColumn> columns;
+  for (const char* name : {"x", "y", "z"})
+    columns.push_back({.name = name, .dimension = dimension::length, .required = true});
+  return columns;
+}
+
+/// The heads of `columns` that a table with these columns has: a face may have several tables.
+std::map<std::string, std::string> heads_among(std::map<std::string, std::string> heads,
+                                               const std::vector<TableColumn>& columns) {
+  std::erase_if(heads, [&](const auto& head) {
+    return std::none_of(columns.begin(), columns.end(),
+                        [&](const TableColumn& column) { return column.name == head.first; });
+  });
+  return heads;
+}
+
 std::unique_ptr<const FaceSurvey> survey_of_points(DecodeContext& context, const Node& node,
-                                                   const std::string& file) {
-  const TableColumn columns[] = {{.name = "x", .dimension = dimension::length, .required = true},
-                                 {.name = "y", .dimension = dimension::length, .required = true},
-                                 {.name = "z", .dimension = dimension::length, .required = true}};
-  const auto table = read_table(file, columns, {}, node, context.diagnostics);
+                                                   const std::string& file,
+                                                   const std::map<std::string, std::string>& heads) {
+  const auto table = read_table_of(context, "points of the face", file, point_columns(), heads, node);
   if (!table) return nullptr;
   std::vector<Vec3> points;
   for (std::size_t row = 0; row < table->rows(); ++row)
@@ -215,6 +232,16 @@ void FaceOfBlast::put_burden(std::size_t index, Blast& completed, BlastPlan& pla
   writer.put(BlastField::burden, least);
 }
 
+bool FaceOfBlast::leans_away(const Hole& hole, const Blast& completed) const {
+  const std::optional<Vec2> lean = lean_of(completed);
+  const Vec3 collar(hole.x, hole.y, hole.z);
+  if (!survey_ || !lean || !collar.allFinite() || tracks_.contains(hole.name)) return false;
+  const Vec3 below = collar - completed[BlastField::hole_length] / 2 * Vec3::UnitZ();
+  constexpr double step = 0.5;  // m
+  const Vec3 beside = below + step * Vec3(lean->x(), lean->y(), 0);
+  return survey_->nearest(beside).distance > survey_->nearest(below).distance;
+}
+
 std::unique_ptr<const FaceOfBlast> read_face(DecodeContext& context, const Node& blast, BlastPlan& plan) {
   const std::optional<Node> node = blast.find("face");
   if (!node || !node->value->map()) return nullptr;
@@ -231,13 +258,15 @@ std::unique_ptr<const FaceOfBlast> read_face(DecodeContext& context, const Node&
   const std::size_t before = context.diagnostics.errors_given();
   auto face = std::make_unique<FaceOfBlast>();
   // Rows by hole: a depth, and a distance or a place.
+  const std::map<std::string, std::string> heads = heads_of(*node);
   const auto read_depths = [&](const char* key, std::vector<std::string> numbers, auto& to) {
     std::vector<TableColumn> columns{
         {.name = "hole", .dimension = dimension::none, .is_text = true, .required = true}};
     for (const std::string& name : numbers)
       columns.push_back({.name = name, .dimension = dimension::length, .required = true});
     const Node at = *node->find(key);
-    const auto table = read_table(section.text(key), columns, {}, at, context.diagnostics);
+    const auto table =
+        read_table_of(context, key, section.text(key), columns, heads_among(heads, columns), at);
     if (!table) return;
     for (std::size_t row = 0; row < table->rows(); ++row) {
       const std::string name(table->text(row, "hole"));
@@ -266,7 +295,8 @@ std::unique_ptr<const FaceOfBlast> read_face(DecodeContext& context, const Node&
   if (section.given("track")) read_depths("track", {"depth", "x", "y", "z"}, face->tracks_);
   if (given[0] == "mesh") face->survey_ = survey_of_mesh(context, *node->find("mesh"), section.text("mesh"));
   if (given[0] == "points")
-    face->survey_ = survey_of_points(context, *node->find("points"), section.text("points"));
+    face->survey_ = survey_of_points(context, *node->find("points"), section.text("points"),
+                                     heads_among(heads, point_columns()));
   if (given[0] == "profiles") read_depths("profiles", {"depth", "distance"}, face->profiles_);
   if (context.diagnostics.errors_given() != before) return nullptr;
   SurveyedFace& facts = plan.face.emplace();

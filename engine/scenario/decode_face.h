@@ -19,6 +19,10 @@ class FaceOfBlast {
   /// follows from into the plan. Throws std::invalid_argument if the hole does not say where its charge is.
   void put_burden(std::size_t hole, Blast& completed, BlastPlan& plan) const;
 
+  /// Whether a hole of the front row gets farther from the surveyed face as it gets deeper than an upright
+  /// one from the same collar.
+  bool leans_away(const Hole& hole, const Blast& completed) const;
+
  private:
   friend std::unique_ptr<const FaceOfBlast> read_face(DecodeContext&, const Node&, BlastPlan&);
 

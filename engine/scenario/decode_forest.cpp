@@ -6,6 +6,7 @@
 
 #include "scenario/decode_sections.h"
 #include "scenario/normalise.h"
+#include "scenario/table_cells.h"
 #include "scenario/tree_file.h"
 
 namespace flyrock {
@@ -25,13 +26,11 @@ void read_file(DecodeContext& context, const Node& node, const Section& section,
     for (const Section& one : decode_list<Section>(
              *species, [&](const Node& item) { return decode_section(context, item, "forest.species 3D"); }))
       strengths[one.text("name")] = one.constant("factor");
-  std::map<std::string, std::string> heads;
-  if (const auto columns = node.find("columns"))
-    for (const Node& entry : columns->entries())
-      if (const std::string* head = entry.value->text()) heads[entry.key] = *head;
   if (section.text("file").empty()) return;  // reported
-  auto trees = read_trees(section.text("file"), strengths, heads, *node.find("file"), context.diagnostics);
+  const Node file = *node.find("file");
+  auto trees = read_trees(section.text("file"), strengths, heads_of(node), file, context.diagnostics);
   if (!trees) return;
+  context.tables.push_back(fmt::format("trees of {}: {}", *file.value->text(), trees->summary));
   plan.stems = std::move(trees->stems);
   plan.other_heads = std::move(trees->other_heads);
 }

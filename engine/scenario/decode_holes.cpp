@@ -8,8 +8,10 @@
 #include <stdexcept>
 
 #include "document/table.h"
+#include "geometry/bearing.h"
 #include "scenario/decode_face.h"
 #include "scenario/decode_sections.h"
+#include "scenario/leaning_holes.h"
 #include "scenario/normalise.h"
 #include "scenario/table_cells.h"
 
@@ -26,18 +28,23 @@ std::optional<BlastField> field_of_column(std::string_view column) {
   return std::nullopt;
 }
 
-/// A hole and where each of its values stands.
+/// A hole and where it is written, with what its columns say in another way.
 struct LocatedHole {
   Hole hole;
   Location at;
+  Vec3 toe = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
 };
 
-void set_column(Hole& hole, const ParamSpec& column, double value) {
+void set_column(LocatedHole& to, const ParamSpec& column, double value) {
+  Hole& hole = to.hole;
   if (column.name == "row") hole.row = static_cast<int>(value);
   if (column.name == "x") hole.x = value;
   if (column.name == "y") hole.y = value;
   if (column.name == "z") hole.z = value;
   if (column.name == "time") hole.time = value;
+  if (column.name == "toe_x") to.toe.x() = value;
+  if (column.name == "toe_y") to.toe.y() = value;
+  if (column.name == "toe_z") to.toe.z() = value;
   if (const auto field = field_of_column(column.name)) hole.own[*field] = value;
 }
 
@@ -49,10 +56,40 @@ std::string called(const Hole& hole) { return "hole " + hole.name; }
 std::vector<TableColumn> columns_of_holes() {
   std::vector<TableColumn> columns = table_columns(section_spec(hole_list).keys);
   for (TableColumn& column : columns) {
-    if (column.name == "linear_charge") column.also = {"charge"};
-    if (column.name == "time") column.also = {"delay"};
+    const auto field = field_of_column(column.name);
+    if (field) column.also = {std::string(blast_fields()[static_cast<std::size_t>(*field)].name)};
+    if (column.name == "hole") column.also = {"name"};
+    if (column.name == "linear_charge") column.also.insert(column.also.end(), {"charge", "charge_weight"});
+    if (column.name == "burden_crest") column.also.emplace_back("crest_burden");
+    if (column.name == "burden_toe") column.also.emplace_back("toe_burden");
+    if (column.name == "diameter") column.also.emplace_back("dia");
+    if (column.name == "toe_x") column.also = {"x_toe", "toe_easting", "toe_east"};
+    if (column.name == "toe_y") column.also = {"y_toe", "toe_northing", "toe_north"};
+    if (column.name == "toe_z") column.also = {"z_toe", "toe_rl", "toe_elevation"};
   }
   return columns;
+}
+
+/// Most tables that say `azimuth` mean a bearing.
+void refuse_azimuths(DecodeContext& context, const Node& node, const TextTable& table,
+                     const BlastPlan& plan) {
+  if (!table.has("azimuth") || plan.has_mathematical_azimuths) return;
+  context.diagnostics.error(
+      table.head_at("azimuth"), node.path,
+      fmt::format(
+          "`{}`: expected `bearing_deg`, which counts clockwise from north; or, where it counts from +x "
+          "towards +y, `azimuths: mathematical` in `blast`",
+          table.head("azimuth")));
+}
+
+/// The azimuth of a hole from its bearing.
+void put_bearing(DecodeContext& context, const Node& node, LocatedHole& to, std::optional<double> bearing) {
+  if (!bearing) return;
+  if (!std::isnan(to.hole.own[BlastField::hole_azimuth]))
+    context.diagnostics.error(
+        to.at, node.path,
+        fmt::format("{} has both a bearing and an azimuth, expected one of them", called(to.hole)));
+  to.hole.own[BlastField::hole_azimuth] = azimuth_of_bearing(*bearing, context.north);
 }
 
 std::vector<LocatedHole> read_hole_table(DecodeContext& context, const Node& node, BlastPlan& plan) {
@@ -62,8 +99,9 @@ std::vector<LocatedHole> read_hole_table(DecodeContext& context, const Node& nod
   const auto file = node.find("file");
   if (!file || !file->value->text()) return holes;  // reported
   const std::vector<TableColumn> columns = columns_of_holes();
-  const auto table = read_table(section.text("file"), columns, heads, *file, context.diagnostics);
+  const auto table = read_table_of(context, "holes", section.text("file"), columns, heads, *file);
   if (!table) return holes;
+  refuse_azimuths(context, node, *table, plan);
   plan.other_heads = table->ignored();
   for (std::size_t row = 0; row < table->rows(); ++row) {
     LocatedHole& to = holes.emplace_back();
@@ -73,13 +111,15 @@ std::vector<LocatedHole> read_hole_table(DecodeContext& context, const Node& nod
     for (const ParamSpec& column : section_spec(hole_list).keys) {
       const std::optional<double> value = table->number(row, column.name);
       if (!value) continue;
-      if (const std::string fault = fault_of_cell(column, *value); !fault.empty())
+      if (const std::string fault = fault_of_cell(*table, column, *value); !fault.empty())
         context.diagnostics.error(table->at(row, column.name), node.path,
                                   fmt::format("`{}` of {} {}", column.name, called(to.hole), fault));
       else
-        set_column(to.hole, column, *value);
+        set_column(to, column, *value);
     }
+    put_bearing(context, node, to, table->number(row, "bearing"));
   }
+  warn_of_unusual_cells(context, *table, section_spec(hole_list).keys, node);
   return holes;
 }
 
@@ -95,7 +135,9 @@ std::vector<LocatedHole> read_hole_list(DecodeContext& context, const Node& node
     to.hole.name = section.given("hole") ? section.text("hole") : std::to_string(holes.size());
     for (const ParamSpec& column : section_spec(hole_list).keys)
       if (column.type != ParamType::text && section.given(column.name))
-        set_column(to.hole, column, section.constant(column.name));
+        set_column(to, column, section.constant(column.name));
+    put_bearing(context, item, to,
+                section.given("bearing") ? std::optional(section.constant("bearing")) : std::nullopt);
   }
   return holes;
 }
@@ -125,6 +167,40 @@ void refuse_two_ways(DecodeContext& context, const Node& node, const LocatedHole
         "has length {:.6g} m, stemming {:.6g} m and charge_length {:.6g} m, which disagree: length = "
         "stemming + charge_length",
         own[hole_length], own[hole_stemming], own[hole_charge_length]));
+}
+
+/// Length, dip and azimuth of a hole whose toe is given beside its collar.
+void put_toe(DecodeContext& context, const Node& node, LocatedHole& located) {
+  using enum BlastField;
+  Hole& hole = located.hole;
+  Vec3 toe = located.toe;
+  if (!(toe.array() == toe.array()).any()) return;
+  const bool in_plane = context.dimension == 2;
+  if (in_plane) toe.y() = hole.y = 0;  // not read
+  const auto fail = [&](const std::string& text) {
+    context.diagnostics.error(located.at, node.path, fmt::format("{} {}", called(hole), text));
+  };
+  const Vec3 down = toe - Vec3(hole.x, hole.y, hole.z);
+  if (!down.allFinite())
+    return fail("needs `x`, `y` and `z` of its collar and `toe_x`, `toe_y` and `toe_z` of its toe");
+  for (const auto& [field, name] :
+       {std::pair(hole_length, "length"), std::pair(hole_dip, "dip"), std::pair(hole_azimuth, "bearing"),
+        std::pair(hole_deviation, "deviation")})
+    if (!std::isnan(hole.own[field]))
+      return fail(fmt::format("has both a toe and a `{}`, expected one", name));
+  if (!(down.z() < 0)) return fail("has its toe above its collar");
+  hole.own[hole_length] = down.norm();
+  hole.own[hole_dip] = std::atan2(-down.z(), down.head<2>().norm());
+  if (down.head<2>().norm() > 0) hole.own[hole_azimuth] = std::atan2(down.y(), down.x());
+}
+
+/// A place in 3D has both coordinates.
+void refuse_half_places(DecodeContext& context, const Node& node, const LocatedHole& located) {
+  const Hole& hole = located.hole;
+  if (context.dimension == 3 && std::isnan(hole.x) != std::isnan(hole.y))
+    context.diagnostics.error(located.at, node.path,
+                              fmt::format("{} has an `{}` and no `{}`", called(hole),
+                                          std::isnan(hole.x) ? "y" : "x", std::isnan(hole.x) ? "x" : "y"));
 }
 
 double lowest_of(const DecodeContext& context, const Number& number) {
@@ -175,6 +251,28 @@ Blast median_hole(const std::vector<Blast>& holes) {
 
 }  // namespace
 
+std::vector<int> holes_named(Diagnostics& diagnostics, const Node& list, const std::vector<Hole>& holes,
+                             bool are_rows) {
+  std::vector<bool> is_chosen(holes.size(), false);
+  std::vector<std::string> names;
+  for (const Hole& hole : holes) names.push_back(are_rows ? std::to_string(hole.row) : hole.name);
+  for (const Node& item : list.items()) {
+    const double* number = item.value->number();
+    if (!number && !item.value->text()) continue;  // reported
+    const std::string name = number ? shortest(*number) : *item.value->text();
+    bool is_known = false;
+    for (std::size_t h = 0; h < holes.size(); ++h)
+      if (names[h] == name) is_chosen[h] = is_known = true;
+    if (!is_known)
+      item.error(diagnostics, fmt::format("there is no {} `{}`{}", are_rows ? "row" : "hole", name,
+                                          did_you_mean(name, names)));
+  }
+  std::vector<int> chosen;
+  for (std::size_t h = 0; h < holes.size(); ++h)
+    if (is_chosen[h]) chosen.push_back(static_cast<int>(h));
+  return chosen;
+}
+
 Value normalise_holes(DecodeContext& context, const Node& node) {
   if (node.value->map() && !node.value->map()->empty()) {
     node.refuse_unknown_keys(section_spec("blast.holes").key_names(), context.diagnostics);
@@ -220,9 +318,15 @@ void decode_holes(DecodeContext& context, const Node& blast, BlastPlan& plan) {
                 fmt::format("has {} holes, must be at most {}", holes.size(), most_holes));
   refuse_equal_holes(context, *node, holes);
   for (LocatedHole& located : holes) {
+    refuse_half_places(context, *node, located);
+    put_toe(context, *node, located);
     refuse_two_ways(context, *node, located);
     plan.pattern.measured.push_back(std::move(located.hole));
     plan.hole_places.push_back(located.at);
+  }
+  if (const std::string leaning = leaning_text(plan.pattern.measured, context.north); !leaning.empty()) {
+    if (node->value->list()) context.tables.push_back(fmt::format("holes: {} holes", holes.size()));
+    if (!context.tables.empty()) context.tables.back() += leaning;
   }
   for (const BlastField field : context.forced_fields)
     if (const auto given = plan.fields.find(field); given != plan.fields.end()) plan.forced.insert(*given);
@@ -262,7 +366,14 @@ void complete_holes(DecodeContext& context, const Node& blast, BlastPlan& plan) 
     }
   }
   if (context.diagnostics.errors_given() != errors_before) return;
-  if (face) warn_of_gaps(context, blast, plan);
+  if (face) {
+    warn_of_gaps(context, blast, plan);
+    std::vector<std::size_t> away;
+    for (std::size_t i = 0; i < plan.holes.size(); ++i)
+      if (!plan.face->curves[i].depth.empty() && face->leans_away(plan.pattern.measured[i], plan.holes[i]))
+        away.push_back(i);
+    if (context.forced_fields.empty()) warn_of_holes_away(context, blast, plan, away);
+  }
   check_scatter(context, blast, plan);
   plan.typical = median_hole(plan.holes);
   plan.design = design_of_holes(plan.hole_designs, plan.pattern);

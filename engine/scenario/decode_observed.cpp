@@ -54,8 +54,10 @@ class ObservedDecoder {
       node_.find("per")->error(context_.diagnostics, "needs `blast.holes`, with a hole for each line");
       return std::move(plan_);
     }
-    const auto table = read_table(plan_.file, table_columns(observed_columns()), heads_of(node_), *file,
-                                  context_.diagnostics);
+    std::vector<TableColumn> columns = table_columns(observed_columns());
+    for (TableColumn& column : columns)
+      if (column.name == "name") column.also = {"rock", "rock_id", "block", "hole", "hole_id"};
+    const auto table = read_table_of(context_, "observed", plan_.file, columns, heads_of(node_), *file);
     if (!table) return std::move(plan_);
     plan_.other_heads = table->ignored();
     if (table->rows() == 0)
@@ -71,7 +73,9 @@ class ObservedDecoder {
   }
 
  private:
+  /// What a column that is not there leaves out holds for all rows: the first says it.
   void fail(const TextTable& table, std::size_t row, std::string_view column, const std::string& text) {
+    if (row > 0 && !table.has(column)) return;
     context_.diagnostics.error(table.at(row, column), node_.path, text);
   }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "geometry/bearing.h"
 #include "plugin/contact_law.h"
 #include "plugin/surveyed_terrain.h"
 #include "scenario/decode_shapes.h"
@@ -98,6 +99,56 @@ Number decode_number(DecodeContext& context, const Node& node, const Dimension& 
   return {0, static_cast<int>(context.draws.size()) - 1};
 }
 
+/// The distribution of sum - x, where x has this one; nothing for a kind that is open on one side.
+std::optional<Distribution> mirrored(Distribution x, double sum) {
+  const auto turn = [&](double& low, double& high) {
+    std::swap(low, high);
+    low = sum - low;
+    high = sum - high;
+  };
+  switch (x.kind) {
+    case DistributionKind::uniform:
+      turn(x.a, x.b);
+      break;
+    case DistributionKind::normal:
+      x.a = sum - x.a;
+      break;
+    case DistributionKind::triangular:
+      turn(x.a, x.c);
+      x.b = sum - x.b;
+      break;
+    case DistributionKind::beta:
+      std::swap(x.a, x.b);
+      turn(x.c, x.d);
+      break;
+    case DistributionKind::discrete:
+      for (double& value : x.values) value = sum - value;
+      break;
+    default:
+      return std::nullopt;
+  }
+  turn(x.min, x.max);
+  return x;
+}
+
+Number azimuth_of(DecodeContext& context, const Node& bearing, const Number& number) {
+  if (number.is_constant()) return {azimuth_of_bearing(number.constant, context.north), -1};
+  Draw& draw = context.draws[static_cast<std::size_t>(number.draw)];
+  const auto azimuth = mirrored(draw.distribution, context.north);
+  if (!azimuth) {
+    bearing.error(context.diagnostics,
+                  fmt::format("takes no distribution `{}`, expected uniform, normal, triangular, "
+                              "beta or discrete; or write the `azimuth`",
+                              name_of(draw.distribution.kind)));
+    return number;
+  }
+  draw.distribution = *azimuth;
+  for (std::string* name : {&draw.path, &draw.stream})
+    name->replace(name->rfind('.') + 1, std::string::npos, "azimuth");
+  draw.stream_hash = hash_name(draw.stream);
+  return number;
+}
+
 std::vector<ParamValue> decode_params(DecodeContext& context, const Node& map,
                                       const std::vector<ParamSpec>& specs) {
   std::vector<ParamValue> values(specs.size());
@@ -151,6 +202,11 @@ std::optional<PluginUse> decode_plugin(DecodeContext& context, const Node& node,
   use.path = node.path;
   const std::size_t errors = context.diagnostics.errors_given();
   use.values = decode_params(context, node, use.plugin->spec.params);
+  if (const auto bearing = node.find("bearing"); bearing && bearing_beside(use.plugin->spec.params)) {
+    ParamValue& azimuth = use.values[static_cast<std::size_t>(use.plugin->spec.find("azimuth"))];
+    azimuth.given = true;
+    azimuth.numbers = {azimuth_of(context, *bearing, decode_number(context, *bearing, dimension::angle))};
+  }
   use.slots = dense_slots(use.values);
   if (context.is_sound(node.path) && context.diagnostics.errors_given() == errors)
     try_to_make(context, node, use);

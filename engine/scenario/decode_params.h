@@ -14,6 +14,10 @@ namespace flyrock {
 /// A normalised number. A distribution is appended to the draws of the context.
 Number decode_number(DecodeContext& context, const Node& node, const Dimension& dimension);
 
+/// The azimuth of a bearing, which was decoded to `number`: its draw, if it is one, becomes one of the
+/// azimuth.
+Number azimuth_of(DecodeContext& context, const Node& bearing, const Number& number);
+
 /// The parameters of a map, in the order of `specs`. Reports those that contradict each other.
 std::vector<ParamValue> decode_params(DecodeContext& context, const Node& map,
                                       const std::vector<ParamSpec>& specs);

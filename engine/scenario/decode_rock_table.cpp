@@ -39,7 +39,7 @@ class RockTableDecoder {
   RockTable decode() {
     if (!node_.value->text()) return std::move(plan_);  // reported
     const auto table =
-        read_table(plan_.file, table_columns(rock_columns()), heads_of(group_), node_, context_.diagnostics);
+        read_table_of(context_, "rocks", plan_.file, table_columns(rock_columns()), heads_of(group_), node_);
     if (!table) return std::move(plan_);
     plan_.other_heads = table->ignored();
     if (table->rows() == 0) fail(node_, "has no line after its heads, expected at least one rock");
@@ -48,6 +48,7 @@ class RockTableDecoder {
     refuse_two_masses(*table);
     refuse_equal_names(*table);
     for (std::size_t row = 0; row < table->rows(); ++row) read(*table, row);
+    warn_of_unusual_cells(context_, *table, rock_columns(), node_);
     if (context_.diagnostics.errors_given() == errors_before_) warn_of_odd_sizes();
     return std::move(plan_);
   }
@@ -62,7 +63,9 @@ class RockTableDecoder {
 
   void fail(const Node& node, const std::string& text) { node.error(context_.diagnostics, text); }
 
+  /// What a column that is not there leaves out holds for all rows: the first says it.
   void fail(const TextTable& table, std::size_t row, std::string_view column, const std::string& text) {
+    if (row > 0 && !table.has(column)) return;
     context_.diagnostics.error(table.at(row, column), node_.path,
                                fmt::format("{} {}", called(table, row), text));
   }
@@ -88,7 +91,7 @@ class RockTableDecoder {
     if (!value) return value;
     for (const ParamSpec& column : rock_columns())
       if (column.name == name)
-        if (const std::string fault = fault_of_cell(column, *value); !fault.empty()) {
+        if (const std::string fault = fault_of_cell(table, column, *value); !fault.empty()) {
           fail(table, row, name, fmt::format("has `{}` that {}", name, fault));
           return std::nullopt;
         }

@@ -43,6 +43,14 @@ bool has_lengths_of_table(const Node& group) {
   return type && type->text() && *type->text() == from_lengths;
 }
 
+/// The first slot of a parameter of a plugin.
+int slot_of(const PluginUse& use, std::string_view name) {
+  const int index = use.plugin->spec.find(name);
+  if (index < 0) return -1;
+  std::vector<ParamValue> before(use.values.begin(), use.values.begin() + index);
+  return static_cast<int>(dense_slots(before).size());
+}
+
 LaunchBySize decode_launch_by_size(DecodeContext& context, const Node& node) {
   const Section section = decode_section(context, node, "rocks.launch_by_size");
   return {.reference = section.number("reference"),
@@ -68,6 +76,7 @@ RockGroup decode_group(DecodeContext& context, const Node& node, const std::vect
     group.turn = decode_orientation(context, node);
   }
   group.material = decode_material(context, node, materials);
+  if (const auto air = node.find("air"); air && air->value->map()) group.air = decode_air(context, *air);
   if (section.given("table")) group.table = decode_rock_table(context, node, section);
   if (!has_lengths_of_table(node)) group.shape = decode_part(context, node, PluginKind::shape, "shape");
   if (const auto release = node.find("release")) group.release = decode_release(context, *release, terrain);
@@ -78,6 +87,8 @@ RockGroup decode_group(DecodeContext& context, const Node& node, const std::vect
   group.launch = decode_part(context, node, PluginKind::velocity, "launch");
   if (const auto by_size = node.find("launch_by_size"))
     group.launch_by_size = decode_launch_by_size(context, *by_size);
+  if (group.launch && node.find("launch")->find("bearing"))
+    group.absolute_azimuth = slot_of(*group.launch, "azimuth");
   if (group.launch)
     group.assumed_elevation = assumed_elevation(*node.find("launch"), group.launch->plugin->spec);
   return group;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/mesh.h"
 #include "geometry/profile.h"
 #include "scenario/decode_params.h"
 #include "scenario/measure.h"
@@ -26,9 +27,11 @@ struct DecodedTerrain {
   std::vector<std::string> parts;
   std::vector<std::string> faces;
   std::optional<Profile> profile;
-  Vec3 automatic_origin = Vec3::Zero();  ///< 3D: the origin where the scenario gives none
-  std::string survey = {};               ///< what was read of its file, "525 cells of 5 m, 2 to 31 m"
-  std::string crs_of_file = {};          ///< "EPSG:2056"
+  std::vector<Mesh::Face> bench_faces = {};  ///< 3D
+  Vec3 automatic_origin = Vec3::Zero();      ///< 3D: the origin where the scenario gives none
+  std::string survey = {};                   ///< what was read of its file, "525 cells of 5 m, 2 to 31 m"
+  std::string crs_of_file = {};              ///< "EPSG:2056"
+  bool is_converted = false;  ///< its file had other units in plan: no code is that of its metres
 };
 DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
                               const std::vector<Material>& materials, bool needs_materials,
@@ -48,6 +51,11 @@ BlastPlan decode_blast(DecodeContext& context, const Node& node);
 void decode_holes(DecodeContext& context, const Node& blast, BlastPlan& plan);
 /// Completes each of them with all medians and reports what is wrong with it.
 void complete_holes(DecodeContext& context, const Node& blast, BlastPlan& plan);
+
+/// The indices of the holes of a list of names, or of the rows with these numbers. Reports those that are not
+/// there.
+std::vector<int> holes_named(Diagnostics& diagnostics, const Node& list, const std::vector<Hole>& holes,
+                             bool are_rows);
 
 /// The median of a number.
 double middle_of(const DecodeContext& context, const Number& number);

@@ -27,6 +27,7 @@ void take_report(DecodeContext& context, const Node& node, const SurveyReport& r
                  DecodedTerrain& terrain) {
   terrain.survey = report.size;
   terrain.crs_of_file = report.crs;
+  terrain.is_converted = report.is_converted;
   for (const std::string& note : report.notes) context.diagnostics.warning(node.key_at, node.path, note);
 }
 
@@ -49,7 +50,7 @@ DecodedTerrain outline_of(DecodeContext& context, const Node& node, const Plugin
     terrain.parts = parts_of(*shape);
     terrain.automatic_origin = automatic_origin(*shape);
     if (const Mesh* mesh = std::get_if<Mesh>(shape.get()))
-      for (const Mesh::Face& face : mesh->faces) terrain.faces.push_back(face.name);
+      for (const Mesh::Face& face : terrain.bench_faces = mesh->faces) terrain.faces.push_back(face.name);
   } else {
     terrain.profile = section ? section_of(*shape, section->from, section->to) : model->build(values, rng);
     terrain.parts = terrain.profile->parts;

@@ -16,8 +16,7 @@ namespace flyrock {
 
 namespace {
 
-std::vector<std::vector<Vec2>> read_geojson(DecodeContext& context, const Node& item,
-                                            const Section& section) {
+std::vector<PlanPolygon> read_geojson(DecodeContext& context, const Node& item, const Section& section) {
   if (section.given("property") != section.given("is")) {
     item.error(context.diagnostics,
                "`property` and `is` belong together: the features whose property has the value");
@@ -27,7 +26,7 @@ std::vector<std::vector<Vec2>> read_geojson(DecodeContext& context, const Node& 
   FeatureFilter filter;
   if (section.given("property")) filter = {section.text("property"), section.text("is")};
   try {
-    return read_outlines(section.text("geojson"), filter);
+    return read_polygons(section.text("geojson"), filter);
   } catch (const PluginError& error) {
     item.find("geojson")->error(context.diagnostics, error.what());
     return {};
@@ -38,7 +37,7 @@ void read_zone_3d(DecodeContext& context, const Node& item, const Section& secti
                   const std::vector<std::string>& parts, Zone& zone) {
   if (kind == "polygon")
     for (const Vec3& corner : section.points("polygon")) zone.polygon.emplace_back(corner.x(), corner.y());
-  if (kind == "geojson") zone.outlines = read_geojson(context, item, section);
+  if (kind == "geojson") zone.polygons = read_geojson(context, item, section);
   if (kind == "raster") {
     zone.raster = read_raster(context, *item.find("raster"), section, "raster");
     zone.value = section.constant("value");
@@ -134,6 +133,13 @@ void decode_crs(DecodeContext& context, const Node& node, DecodedTerrain& terrai
   if (!is_epsg)
     return key->error(context.diagnostics,
                       fmt::format("expected EPSG:n, such as EPSG:2056, found `{}`", crs));
+  if (terrain.is_converted)
+    return context.diagnostics.warning(
+        key->key_at, key->path,
+        fmt::format(
+            "is {}, a system of the file, whose coordinates `plan_unit` makes metres: maps and exports "
+            "carry no code",
+            crs));
   if (!terrain.crs_of_file.empty() && terrain.crs_of_file != crs)
     key->error(context.diagnostics, fmt::format("is {}, the file says {}: leave it out, or project the file",
                                                 crs, terrain.crs_of_file));

@@ -11,6 +11,7 @@
 #include "document/wording.h"
 #include "geometry/plan_zone.h"
 #include "plugin/params.h"
+#include "units/units.h"
 
 namespace flyrock {
 
@@ -18,11 +19,11 @@ namespace {
 
 using nlohmann::json;
 
-class OutlineReader {
+class PolygonReader {
  public:
-  OutlineReader(const std::string& path, const FeatureFilter& filter) : path_(path), filter_(filter) {}
+  PolygonReader(const std::string& path, const FeatureFilter& filter) : path_(path), filter_(filter) {}
 
-  std::vector<std::vector<Vec2>> read() {
+  std::vector<PlanPolygon> read() {
     const json file = parsed();
     const std::string type = text_of(file, "type");
     if (type == "FeatureCollection" && file.contains("features") && file["features"].is_array())
@@ -31,8 +32,9 @@ class OutlineReader {
       add_feature(file);
     else
       fail("is no GeoJSON: expected an object of `type` FeatureCollection");
-    if (outlines_.empty()) fail_empty();
-    return std::move(outlines_);
+    if (polygons_.empty()) fail_empty();
+    refuse_degrees(file);
+    return std::move(polygons_);
   }
 
  private:
@@ -43,11 +45,24 @@ class OutlineReader {
     fail(fmt::format("feature {} {}", feature_, text));
   }
 
+  /// What to do with a file of another format.
+  void refuse_other_formats(const std::string& text) const {
+    const std::string ending = lower(path_.substr(std::min(path_.rfind('.'), path_.size())));
+    const bool is_kml = ending == ".kml" || ending == ".kmz" || text.find("<kml") < 1000;
+    const bool is_layer = ending == ".shp" || ending == ".dbf" || ending == ".gpkg" || ending == ".gml";
+    if (is_kml || is_layer)
+      fail(fmt::format(
+          "is {}, expected GeoJSON: `ogr2ogr -t_srs EPSG:NUMBER zones.geojson {}` converts it; NUMBER is "
+          "the system of the terrain",
+          is_kml ? "KML" : "no GeoJSON", path_.substr(path_.rfind('/') + 1)));
+  }
+
   json parsed() const {
     std::ifstream file(path_, std::ios::binary);
     if (!file) throw PluginError(fmt::format("cannot read the file {}", path_));
     std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+    refuse_other_formats(text);
     try {
       return json::parse(text);
     } catch (const json::parse_error& error) {
@@ -94,13 +109,18 @@ class OutlineReader {
 
   void add_polygon(const json& rings) {
     if (!rings.is_array()) fail_feature("has a polygon without a list of outlines");
+    PlanPolygon polygon;
     for (const json& ring : rings) {
       std::vector<Vec2> outline = corners_of(ring);
       if (outline.size() > 1 && outline.front() == outline.back()) outline.pop_back();
       if (const std::string wrong = polygon_fault(outline); !wrong.empty())
         fail_feature("is no region: " + wrong);
-      outlines_.push_back(std::move(outline));
+      if (polygon.outline.empty())
+        polygon.outline = std::move(outline);
+      else
+        polygon.holes.push_back(std::move(outline));
     }
+    if (!polygon.outline.empty()) polygons_.push_back(std::move(polygon));
   }
 
   std::vector<Vec2> corners_of(const json& ring) const {
@@ -115,6 +135,25 @@ class OutlineReader {
     return corners;
   }
 
+  /// Longitudes and latitudes, which no terrain has: the file says so, or all of it lies in a degree of them.
+  void refuse_degrees(const json& file) const {
+    Vec2 low = Vec2::Constant(infinite), high = -low;
+    for (const PlanPolygon& polygon : polygons_)
+      for (const Vec2& corner : polygon.outline) {
+        low = low.cwiseMin(corner);
+        high = high.cwiseMax(corner);
+      }
+    const bool may_be = std::max(-low.x(), high.x()) <= 180 && std::max(-low.y(), high.y()) <= 90;
+    const std::string system = file.contains("crs") ? file["crs"].dump() : "";
+    const bool says_so = system.find("CRS84") != system.npos || system.find("4326") != system.npos ||
+                         system.find("4258") != system.npos;
+    if (may_be && (says_so || (high - low).maxCoeff() < 1))
+      fail(fmt::format(
+          "is in degrees (from {:.6g} to {:.6g} and {:.6g} to {:.6g}), expected metres: `ogr2ogr -t_srs "
+          "EPSG:NUMBER zones.geojson {}` converts it; NUMBER is the system of the terrain",
+          low.x(), high.x(), low.y(), high.y(), path_.substr(path_.rfind('/') + 1)));
+  }
+
   [[noreturn]] void fail_empty() const {
     if (filter_.property.empty()) fail("has no feature");
     if (values_.empty()) fail(fmt::format("no feature has the property `{}`", printable(filter_.property)));
@@ -126,13 +165,13 @@ class OutlineReader {
   const FeatureFilter& filter_;
   int feature_ = 0;  ///< from 1
   std::vector<std::string> values_;
-  std::vector<std::vector<Vec2>> outlines_;
+  std::vector<PlanPolygon> polygons_;
 };
 
 }  // namespace
 
-std::vector<std::vector<Vec2>> read_outlines(const std::string& path, const FeatureFilter& filter) {
-  return OutlineReader(path, filter).read();
+std::vector<PlanPolygon> read_polygons(const std::string& path, const FeatureFilter& filter) {
+  return PolygonReader(path, filter).read();
 }
 
 }  // namespace flyrock

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "math/space.h"
+#include "geometry/plan_region.h"
 
 namespace flyrock {
 
@@ -14,9 +14,10 @@ struct FeatureFilter {
   std::string value;     ///< of that property, a text, a number or a truth value as text
 };
 
-/// The outlines of the polygons and their holes, each without its repeated last corner: a place is inside
-/// where an odd number of them is about it. Coordinates as in the file [m]. Throws PluginError: "FILE: what
-/// is wrong", with the number of the feature from 1, or line and column where the file is no JSON.
-std::vector<std::vector<Vec2>> read_outlines(const std::string& path, const FeatureFilter& filter);
+/// The polygons of the features, each ring without its repeated last corner. The region is their union:
+/// features may overlap, and only inner rings are holes. Coordinates as in the file [m]. Throws PluginError:
+/// "FILE: what is wrong", with the number of the feature from 1, or line and column where the file is no
+/// JSON.
+std::vector<PlanPolygon> read_polygons(const std::string& path, const FeatureFilter& filter);
 
 }  // namespace flyrock

@@ -13,7 +13,6 @@ namespace flyrock {
 namespace {
 
 constexpr NumberRules gravity_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
-constexpr NumberRules air_rules{.varies = true, .scope = Scope::trial, .finest = Scope::rock};
 
 /// Added to each hole in each trial.
 constexpr NumberRules scatter_rules{.varies = true, .scope = Scope::hole, .finest = Scope::hole};
@@ -196,9 +195,14 @@ class Normaliser {
     if (const auto holes = node.find("holes")) put(map, *holes, normalise_holes(context_, *holes));
     if (const auto scatter = node.find("scatter"))
       put(map, *scatter, normalise_section(context_, *scatter, "blast.scatter", scatter_rules));
-    if (const auto face = node.find("face"))
-      put(map, *face, normalise_section(context_, *face, "blast.face", {}));
+    if (const auto face = node.find("face")) put(map, *face, face_of(*face));
     return map_value(std::move(map));
+  }
+
+  Value face_of(const Node& node) {
+    Value face = normalise_section(context_, node, "blast.face", {});
+    if (face.map()) put_columns(context_, *face.map(), node, "blast.face.columns");
+    return face;
   }
 
   DecodeContext& context_;
@@ -219,6 +223,24 @@ void put_columns(DecodeContext& context, Map& map, const Node& section, std::str
 Value normalise_list_of(DecodeContext& context, const Node& node, const std::string& section) {
   return normalise_list(context, node,
                         [&](const Node& item) { return normalise_section(context, item, section, {}); });
+}
+
+Value normalise_names(DecodeContext& context, const Node& node, const char* expected) {
+  List list;
+  for (const Node& item : node.is_list() ? node.items() : std::vector<Node>()) {
+    const double* number = item.value->number();
+    if (!number && !item.value->text())
+      item.error(context.diagnostics, fmt::format("expected {}, found {}", expected, shown(*item.value)));
+    Value name = number               ? text_value(shortest(*number))
+                 : item.value->text() ? text_value(*item.value->text())
+                                      : Value{};
+    name.at = item.value->at;
+    list.push_back(std::move(name));
+  }
+  if (list.empty())
+    node.error(context.diagnostics,
+               fmt::format("expected a list of {}s, found {}", expected, shown(*node.value)));
+  return list_value(std::move(list));
 }
 
 std::vector<std::string> element_names(const std::optional<Node>& list) {

@@ -41,6 +41,11 @@ MeasureNames measure_names(const Node& root, int dimension);
 std::vector<std::string> element_names(const std::optional<Node>& list);
 
 /// A list whose elements are sections of the schema with names.
+inline constexpr NumberRules air_rules{.varies = true, .scope = Scope::trial, .finest = Scope::rock};
+
+/// A list of names, where a number is a name too. `expected`: "hole".
+Value normalise_names(DecodeContext& context, const Node& node, const char* expected);
+
 Value normalise_list_of(DecodeContext& context, const Node& node, const std::string& section);
 
 /// Reports an error at each element of a list whose `name` is already used by an earlier element.

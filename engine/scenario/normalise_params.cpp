@@ -41,6 +41,7 @@ std::vector<ParamSpec> params_here(const Node& use, const PluginSpec& spec) {
   const bool* allows = given ? given->value->boolean() : nullptr;
   for (ParamSpec& param : params)
     if (allows && *allows && is_limit_of_gain(spec, param)) param.max.reset();
+  if (auto bearing = bearing_beside(params)) params.push_back(std::move(*bearing));
   return params;
 }
 
@@ -71,6 +72,22 @@ const Plugin* find_plugin(DecodeContext& context, const Node& node, PluginKind k
 }
 
 }  // namespace
+
+std::optional<ParamSpec> bearing_beside(const std::vector<ParamSpec>& params) {
+  const auto azimuth = std::find_if(params.begin(), params.end(), [](const ParamSpec& one) {
+    return one.name == "azimuth" && one.type == ParamType::number && one.dimension == dimension::angle;
+  });
+  if (azimuth == params.end()) return std::nullopt;
+  ParamSpec bearing;
+  bearing.name = "bearing";
+  bearing.unit = azimuth->unit;
+  bearing.dimension = dimension::angle;
+  bearing.optional = true;
+  bearing.min = -2 * pi;
+  bearing.max = 2 * pi;
+  bearing.doc = "in place of `azimuth`: clockwise from north";
+  return bearing;
+}
 
 ParamSpec with_exponent(const ParamSpec& spec, const std::vector<ParamSpec>& specs, const Node& map) {
   ParamSpec result = spec;
@@ -144,7 +161,10 @@ Value normalise_plugin(DecodeContext& context, const Node& node, PluginKind kind
     std::vector<std::string> keys{"type"};
     for (const ParamSpec& spec : plugin->spec.params)
       keys.emplace_back(spec.group().empty() ? spec.own_name() : spec.group());
+    if (bearing_beside(plugin->spec.params)) keys.emplace_back("bearing");
     keys.insert(keys.end(), others.begin(), others.end());
+    if (const auto bearing = node.find("bearing"); bearing && node.find("azimuth"))
+      bearing->error(context.diagnostics, "says the same as `azimuth`, expected one of them");
     node.refuse_unknown_keys(keys, context.diagnostics);
     const SoundnessOf soundness(context, node.path);
     NumberRules of_plugin = rules;

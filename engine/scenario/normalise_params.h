@@ -12,6 +12,9 @@
 
 namespace flyrock {
 
+/// The parameter `bearing`, which may stand in place of a plugin's angle `azimuth`; nothing if it has none.
+std::optional<ParamSpec> bearing_beside(const std::vector<ParamSpec>& params);
+
 /// A parameter whose unit has another one as its exponent (ParamSpec::unit_exponent), with the unit that
 /// follows from the map: N/m^1.5. Where the exponent is drawn, the unit keeps the exponent 1.
 ParamSpec with_exponent(const ParamSpec& spec, const std::vector<ParamSpec>& specs, const Node& map);

@@ -131,6 +131,27 @@ void put_launch_by_size(DecodeContext& context, Map& group, const Node& node) {
   put(group, *by_size, normalise_section(context, *by_size, "rocks.launch_by_size", rock_rules));
 }
 
+/// Which of the measured holes have rocks.
+void put_holes(DecodeContext& context, Map& group, const Node& node) {
+  const auto rows = node.find("rows"), holes = node.find("holes");
+  if (rows && holes) holes->error(context.diagnostics, "chooses holes as `rows` does, expected one of them");
+  for (const auto& [key, expected] : {std::pair(rows, "row"), std::pair(holes, "hole")}) {
+    if (!key) continue;
+    if (!node.find("per_hole"))
+      context.diagnostics.error(key->key_at, key->path, "chooses holes for `per_hole`, the group has none");
+    put(group, *key, normalise_names(context, *key, expected));
+  }
+}
+
+/// Air of its own, or none.
+void put_air(DecodeContext& context, Map& group, const Node& node) {
+  const auto air = node.find("air");
+  if (!air) return;
+  const std::string* word = air->value->text();
+  put(group, *air,
+      word && *word == "none" ? text_value(*word) : normalise_section(context, *air, "air", air_rules));
+}
+
 Value normalise_group(DecodeContext& context, const Node& node) {
   const SectionSpec& spec = section_spec(context.dimension == 2 ? "rocks" : "rocks 3D");
   Map group = normalise_params(context, node, spec.keys, rock_rules);
@@ -144,6 +165,8 @@ Value normalise_group(DecodeContext& context, const Node& node) {
   check_mass(context, node, false);
   put_turn(context, group, node, rock_rules);
   put_columns(context, group, node, "rocks.columns");
+  put_holes(context, group, node);
+  put_air(context, group, node);
   put_shape(context, group, node);
   check_words_of_table(context, node);
   if (const auto release = node.find("release")) put(group, *release, normalise_release(context, *release));

@@ -26,7 +26,7 @@ Value material_name(DecodeContext& context, const Node& node) {
 Value section_terrain(DecodeContext& context, const Node& node) {
   const SectionSpec& spec = section_spec("terrain: section");
   std::vector<std::string> keys = spec.key_names();
-  keys.insert(keys.end(), {"type", "material", "materials", "zones", "faces"});
+  keys.insert(keys.end(), {"type", "material", "materials", "zones", "faces", "north"});
   node.refuse_unknown_keys(keys, context.diagnostics);
   Map map;
   put(map, *node.find("type"), text_value("section"));
@@ -48,7 +48,7 @@ Value normalise_ground(DecodeContext& context, const Node& node) {
   const std::optional<Node> type = node.find("type");
   if (context.dimension == 2 && type && type->value->text() && *type->value->text() == "section")
     return section_terrain(context, node);
-  std::vector<std::string> others = {"material", "materials", "zones", "faces"};
+  std::vector<std::string> others = {"material", "materials", "zones", "faces", "north"};
   if (context.dimension == 3) others.insert(others.end(), {"origin", "crs"});
   return normalise_plugin(context, node, PluginKind::terrain, terrain_rules, others);
 }
@@ -102,7 +102,8 @@ Value normalise_terrain(DecodeContext& context, const Node& node) {
   if (const auto zones = node.find("zones")) put(map, *zones, normalise_zones(context, *zones));
   if (const auto faces = node.find("faces"))
     put(map, *faces, normalise_list_of(context, *faces, space ? "terrain.faces 3D" : "terrain.faces"));
-  if (space) put_all(map, normalise_params(context, node, section_spec("terrain 3D").keys, {}));
+  for (const ParamSpec& spec : section_spec(space ? "terrain 3D" : "terrain").keys)
+    if (spec.name != "material") put_all(map, normalise_params(context, node, {spec}, {}));
   if (const auto rest = node.find("material")) put(map, *rest, material_name(context, *rest));
   if (const auto named = node.find("materials")) {
     Map names;

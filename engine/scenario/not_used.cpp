@@ -69,8 +69,13 @@ void find_blast_keys(const Node& blast, const Scenario& scenario, std::vector<st
     const std::string_view key = dot == std::string_view::npos ? info.path : info.path.substr(dot + 1);
     if (!used && parent && find_given(*parent, key))
       list.push_back(fmt::format("blast.{} ({})", info.path, why_idle(scenario, info.field)));
-    if (scenario.blast->columns.contains(info.field) && !is_used(scenario, info.field, Giver::hole))
-      list.push_back(fmt::format("blast.holes: the column `{}` ({})", key, why_idle(scenario, info.field)));
+    if (scenario.blast->columns.contains(info.field) && !is_used(scenario, info.field, Giver::hole)) {
+      const Value* holes = blast.value->find("holes");
+      const bool is_bearing = info.field == BlastField::hole_azimuth && holes && holes->map() &&
+                              !scenario.blast->has_mathematical_azimuths;
+      list.push_back(fmt::format("blast.holes: the column `{}` ({})", is_bearing ? "bearing" : key,
+                                 why_idle(scenario, info.field)));
+    }
   }
   for (const std::string& head : scenario.blast->other_heads)
     list.push_back(

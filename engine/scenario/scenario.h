@@ -18,6 +18,7 @@
 #include "document/location.h"
 #include "geometry/forest.h"
 #include "geometry/height_grid.h"
+#include "geometry/plan_region.h"
 #include "math/space.h"
 #include "plugin/registry.h"
 #include "scenario/ground_store.h"
@@ -60,7 +61,7 @@ struct Zone {
   std::string name;
   double from = 0, to = 0;
   std::vector<Vec2> polygon;
-  std::vector<std::vector<Vec2>> outlines;  ///< of a file: an odd number of them is about a place inside
+  std::vector<PlanPolygon> polygons;  ///< of a file: all of them together
   std::shared_ptr<const HeightGrid> raster;
   double value = 0;
   std::string group;
@@ -88,6 +89,7 @@ struct TerrainPlan {
   std::vector<FacePlan> faces;
   /// 3D: the place from which the engine counts [m]. Scenario and results have the coordinates of files.
   Vec3 origin = Vec3::Zero();
+  double north = pi / 2;                 ///< rad, from +x towards +y: the direction of bearing 0
   std::string crs;                       ///< "EPSG:2056", of the scenario or its file; empty: not known
   std::string survey;                    ///< what was read of its file, "525 cells of 5 m, 2 to 31 m"
   std::string text;                      ///< of all of it, resolved: equal texts make equal grounds
@@ -112,8 +114,9 @@ struct SurveyedFace {
 struct BlastPlan {
   std::map<BlastField, Number> fields;
   bool is_anfo = false;
-  bool gurney_follows = false;  ///< the Gurney constant is D/3 and not given separately
-  Pattern pattern;              ///< rock k belongs to hole k mod holes
+  bool has_mathematical_azimuths = false;  ///< in the table of holes: from +x, not bearings
+  bool gurney_follows = false;             ///< the Gurney constant is D/3 and not given separately
+  Pattern pattern;                         ///< rock k belongs to hole k mod holes
   Blast typical;       ///< completed, with the medians of all distributions; of a field the median hole
   BlastDesign design;  ///< of the typical blast, or of all holes
   /// Of measured holes: what is added to a field, or to the time, of each hole in each trial.
@@ -185,9 +188,12 @@ struct RockGroup {
   /// Its lines are the rocks of each trial, in place of those of the population; null: none.
   std::shared_ptr<const RockTable> table;
   std::optional<int> per_hole;  ///< rocks of each measured hole, in place of those of the population
+  std::vector<int> holes;       ///< with `per_hole`: the holes that have rocks, by their index
   std::optional<PluginUse> shape;
   std::optional<Release> release;
   std::optional<PluginUse> launch;  ///< absent: at rest
+  /// The azimuth of the launch is one of a bearing, from +x and not from the face: its slot; -1: it is not.
+  int absolute_azimuth = -1;
   std::optional<LaunchBySize> launch_by_size;
   std::optional<double> assumed_elevation;  ///< rad, of a launch whose elevation the scenario does not give
   std::optional<double> weight;       ///< real rocks that a rock stands for; absent: 1, or its population's
@@ -196,6 +202,7 @@ struct RockGroup {
   std::optional<Number> thickness;    ///< m; absent: default_thickness
   std::optional<Number> orientation;  ///< 2D, rad; absent: random and uniform
   std::optional<TurnPlan> turn;       ///< 3D; absent: random and uniform
+  std::optional<AirPlan> air;         ///< its own, or that of the scenario; absent: none
   int material = -1;                  ///< for contacts with other rocks; -1: none
 };
 
@@ -411,9 +418,14 @@ struct BranchPlan {
   std::string name;
   double probability = 0;
   bool per_blast = false;                    ///< of all holes at once; else of each hole
+  std::vector<int> holes;                    ///< the measured holes that may take it; empty: all
   std::shared_ptr<const Scenario> scenario;  ///< the regular one with what the branch sets
   std::vector<int>
       own_draw;  ///< of each draw of the regular scenario, its index in this one; -1: it has none
+
+  bool may_happen_to(int hole) const {
+    return holes.empty() || std::find(holes.begin(), holes.end(), hole) != holes.end();
+  }
 };
 
 /// The largest number of trials of all sweep points together.
@@ -454,6 +466,7 @@ struct Scenario {
   std::optional<AnswerPlan> answer;  ///< absent: no point is called best
   std::vector<Draw> draws;
   std::vector<BranchPlan> branches;  ///< exclusive; the rest is regular
+  std::vector<std::string> tables;   ///< a line for each table that was read, for `check`
 
   std::uint64_t trials_of_run() const { return trials / outer; }
 

@@ -11,6 +11,9 @@ namespace flyrock {
 
 namespace {
 
+constexpr UsualRange usual_firing{0, 20};  // of a hole after the first [s]
+constexpr UsualRange usual_delay{0, 1};    // between holes or rows [s]
+
 ParamSpec key(ParamType type, std::string name, std::string unit, std::string doc) {
   ParamSpec spec;
   spec.type = type;
@@ -106,6 +109,21 @@ SectionSpec document() {
            "observed", "solver",  "stop",    "output",   "sweep",   "expect",    "answer"}};
 }
 
+/// Of a terrain.
+ParamSpec north() {
+  return at_most(
+      at_least(optional(number("north", "rad", "where bearing 0 points, from +x towards +y; 90 deg")),
+               -2 * pi),
+      2 * pi);
+}
+
+/// In place of an azimuth.
+ParamSpec bearing(const std::string& doc) {
+  return at_most(
+      at_least(optional(number("bearing", "rad", doc + ", clockwise from north; or `azimuth`")), -2 * pi),
+      2 * pi);
+}
+
 /// The fields of the blast below `prefix` ("" or "hole."), from the table that velocity models also use.
 std::vector<ParamSpec> blast_keys(std::string_view prefix) {
   std::vector<ParamSpec> keys;
@@ -122,9 +140,10 @@ std::vector<ParamSpec> blast_keys(std::string_view prefix) {
       keys.push_back(std::move(spec));  // negative away from the face
     else if (info.field == BlastField::hole_dip)
       keys.push_back(at_most(above(std::move(spec), 0), pi));
-    else if (info.field == BlastField::hole_azimuth)
+    else if (info.field == BlastField::hole_azimuth) {
       keys.push_back(at_most(at_least(std::move(spec), -2 * pi), 2 * pi));
-    else
+      keys.push_back(bearing("direction in plan to which the hole leans downwards"));
+    } else
       keys.push_back(may_be_zero ? at_least(std::move(spec), 0) : above(std::move(spec), 0));
   }
   return keys;
@@ -140,15 +159,18 @@ std::vector<ParamSpec> hole_keys() {
   for (ParamSpec& spec : blast_keys("hole.")) keys.push_back(std::move(spec));
   for (ParamSpec& spec : blast_keys(""))
     if (spec.name.starts_with("burden") || spec.name == "spacing") keys.push_back(std::move(spec));
-  keys.push_back(at_least(or_else(number("time", "s", "when it goes off"), 0.0), 0));
+  for (const char* name : {"toe_x", "toe_y", "toe_z"})
+    keys.push_back(optional(number(name, "m", "of the toe, in place of length, dip and bearing")));
+  keys.push_back(usually(at_least(or_else(number("time", "s", "when it goes off"), 0.0), 0), usual_firing));
   return keys;
 }
 
-/// What may be added to the numbers of a hole: no places and no names.
+/// What may be added to the numbers of a hole: no places, no names and no bearing, which goes the other way.
 std::vector<ParamSpec> scatter_keys() {
   std::vector<ParamSpec> keys;
   for (const ParamSpec& column : hole_keys())
-    if (column.type == ParamType::number && column.name.size() > 1)
+    if (column.type == ParamType::number && column.name.size() > 1 && !column.name.starts_with("toe_") &&
+        column.name != "bearing")
       keys.push_back(optional(number(column.name, column.unit, "added to " + column.name + " of each hole")));
   return keys;
 }
@@ -304,7 +326,7 @@ std::vector<SectionSpec> make_sections() {
        {text("name", "of the branch"),
         below(above(number("probability", "", "that it happens to a hole, or to a blast"), 0), 1),
         or_else(choice("per", {"hole", "blast"}, "what it happens to"), "hole")},
-       {"set"}},
+       {"set", "holes"}},
       {"air",
        // Bounded, because the steps of a flight shrink as the drag grows.
        {or_else(at_most(above(number("density", "kg/m3", "of the air"), 0), 100), 1.225),
@@ -314,14 +336,14 @@ std::vector<SectionSpec> make_sections() {
         optional(vector("wind", "m/s", "calm where it is not given"))},
        {}},
       {"terrain",
-       {optional(text("material", "of a terrain of one part"))},
+       {optional(text("material", "of a terrain of one part")), north()},
        {"type", "materials", "zones", "faces"}},
       {"terrain 3D",
        {optional(
             vector("origin", "m",
                    "from which the engine counts, in whole metres; where it is not given, the lower left "
                    "corner of triangles or heights beyond 10 km, rounded down to 100 m")),
-        optional(text("crs", "EPSG:n, the coordinate system; of the file where it is not given"))},
+        optional(text("crs", "EPSG:n, the coordinate system; of the file where it is not given")), north()},
        {"zones", "faces"}},
       {"terrain: section",
        {vector("from", "m", "place in plan where x = 0"), vector("to", "m", "place in plan where it ends")},
@@ -360,7 +382,10 @@ std::vector<SectionSpec> make_sections() {
            "draw across it")},
        {}},
       {"pairs", {text("material", "in force between the two")}, {"between"}},
-      {"blast", blast_keys(""), {"explosive", "hole", "rows", "holes", "scatter", "face"}},
+      {"blast",
+       joined(blast_keys(""), {optional(choice("azimuths", {"mathematical"},
+                                               "of a table of holes: they count from +x towards +y"))}),
+       {"explosive", "hole", "rows", "holes", "scatter", "face"}},
       {"blast.explosive", blast_keys("explosive."), {}},
       {"blast.hole", blast_keys("hole."), {}},
       {"blast.holes", {file("file", "a table: a line of heads, then a line for each hole")}, {"columns"}},
@@ -374,25 +399,34 @@ std::vector<SectionSpec> make_sections() {
                       "a table `hole, depth, distance`: the horizontal distance from the axis of a "
                       "hole to the face, at right angles to its row")),
         optional(file("track", "a table `hole, depth, x, y, z`: where holes were drilled"))},
+       {"columns"}},
+      {"blast.face.columns",
+       {optional(text("hole", "its head")), optional(text("depth", "its head")),
+        optional(text("distance", "its head")), optional(text("x", "its head")),
+        optional(text("y", "its head")), optional(text("z", "its head"))},
        {}},
       {"blast.rows",
        {or_else(at_least(integer("count", "rows of holes"), 1), 1),
         above(optional(number("distance", "m", "from row to row")), 0),
         or_else(at_least(integer("holes", "of a row"), 1), 1),
-        at_least(optional(number("delay_row", "s", "from row to row")), 0),
-        at_least(optional(number("delay_hole", "s", "from hole to hole")), 0),
-        at_least(optional(number("delay_in_hole", "s", "from the signal to the charge, in every hole")), 0)},
+        at_least(usually(optional(number("delay_row", "s", "from row to row")), usual_delay), 0),
+        at_least(usually(optional(number("delay_hole", "s", "from hole to hole")), usual_delay), 0),
+        at_least(
+            usually(optional(number("delay_in_hole", "s", "from the signal to the charge, in every hole")),
+                    usual_firing),
+            0)},
        {}},
       {"rocks",
        joined(joined({text("name", "of the group"), table()}, mass_keys_of_rocks()),
               {per_hole(), thickness(),
                optional(number("orientation", "rad", "random and uniform where it is not given")),
                optional(text("material", "shown to other rocks")), weight()}),
-       {"type", "columns", "shape", "release", "launch", "launch_by_size"}},
+       {"type", "columns", "rows", "holes", "air", "shape", "release", "launch", "launch_by_size"}},
       {"rocks 3D",
        joined(joined({text("name", "of the group"), table()}, mass_keys_of_rocks()),
               {per_hole(), optional(text("material", "shown to other rocks")), weight()}),
-       {"type", "columns", "shape", "orientation", "release", "launch", "launch_by_size"}},
+       {"type", "columns", "rows", "holes", "air", "shape", "orientation", "release", "launch",
+        "launch_by_size"}},
       {"rocks.columns", head_keys(rock_columns()), {}},
       {"rocks.launch_by_size", launch_by_size_keys(), {}},
       {"rocks.shape: from_lengths",

@@ -15,14 +15,8 @@ namespace {
 
 const std::vector<TableColumn>& tree_columns() {
   static const std::vector<TableColumn> columns = {
-      {.name = "x",
-       .dimension = dimension::length,
-       .required = true,
-       .also = {"east", "easting", "e", "xcoord", "x_coord", "rechtswert"}},
-      {.name = "y",
-       .dimension = dimension::length,
-       .required = true,
-       .also = {"north", "northing", "n", "ycoord", "y_coord", "hochwert"}},
+      {.name = "x", .dimension = dimension::length, .required = true, .also = {"rechtswert"}},
+      {.name = "y", .dimension = dimension::length, .required = true, .also = {"hochwert"}},
       {.name = "dbh",
        .dimension = dimension::length,
        .required = true,
@@ -58,6 +52,7 @@ class TreeReader {
     TreeFile file;
     for (std::size_t row = 0; row < table_.rows(); ++row) file.stems.push_back(stem(row));
     file.other_heads = table_.ignored();
+    file.summary = table_.summary();
     if (diagnostics_.errors_given() > before) return std::nullopt;
     return file;
   }

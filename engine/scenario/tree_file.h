@@ -11,10 +11,11 @@
 
 namespace flyrock {
 
-/// The trees of a file, and its heads that are no columns.
+/// The trees of a file, its heads that are no columns, and what was read (TextTable::summary).
 struct TreeFile {
   std::vector<Stem> stems;
   std::vector<std::string> other_heads;
+  std::string summary;
 };
 
 /// Reads a tree a line: its place `x`, `y`, its diameter at breast height `dbh`, its `height` and its

@@ -6,12 +6,13 @@ namespace flyrock {
 
 namespace {
 
-/// The branch of one unit that the uniform number u falls to; the probabilities are divided by `whole`.
-int branch_at(const Scenario& scenario, bool per_blast, double u, double whole) {
+/// The branch of one unit, of a blast (-1) or of a hole, that the uniform number u falls to; the
+/// probabilities are divided by `whole`.
+int branch_at(const Scenario& scenario, int hole, double u, double whole) {
   double sum = 0;
   for (std::size_t b = 0; b < scenario.branches.size(); ++b) {
     const BranchPlan& branch = scenario.branches[b];
-    if (branch.per_blast != per_blast) continue;
+    if (branch.per_blast != (hole < 0) || !branch.may_happen_to(hole)) continue;
     sum += branch.probability / whole;
     if (u < sum) return static_cast<int>(b) + 1;
   }
@@ -24,7 +25,7 @@ int branch_of_blast(const Scenario& scenario, std::uint64_t trial) {
   if (scenario.branches.empty()) return 0;
   DrawKey key;
   key.trial = trial;
-  return branch_at(scenario, true, RandomStream(scenario.streams, "branches", key).uniform(), 1);
+  return branch_at(scenario, -1, RandomStream(scenario.streams, "branches", key).uniform(), 1);
 }
 
 int branch_of_hole(const Scenario& scenario, std::uint64_t trial, std::uint64_t hole) {
@@ -36,7 +37,8 @@ int branch_of_hole(const Scenario& scenario, std::uint64_t trial, std::uint64_t 
   DrawKey key;
   key.trial = trial;
   key.hole = hole + 1;
-  return branch_at(scenario, false, RandomStream(scenario.streams, "branches", key).uniform(), regular);
+  return branch_at(scenario, static_cast<int>(hole),
+                   RandomStream(scenario.streams, "branches", key).uniform(), regular);
 }
 
 }  // namespace flyrock

@@ -18,16 +18,15 @@
 namespace flyrock {
 
 template <int D>
-Air<D> TrialBuilder<D>::air_of(const Body<D>& body, const DrawKey& key) const {
+Air<D> TrialBuilder<D>::air_of(const AirPlan& plan, const std::string& path, const Body<D>& body,
+                               const DrawKey& key) const {
   Air<D> air;
-  if (!scenario_.air) return air;
-  const AirPlan& plan = *scenario_.air;
   air.drag = drag_constant(number(plan.density, key), number(plan.cd, key), body.mass, body.volume);
   for (std::size_t i = 0; i < plan.wind.size(); ++i)
     air.wind[static_cast<int>(i)] = number(plan.wind[i], key);
   constexpr double most_wind = 1000;  // m/s
   if (!(air.wind.norm() <= most_wind))
-    throw ScenarioError("air.wind",
+    throw ScenarioError(path + ".wind",
                         fmt::format("is {:.3g} m/s, expected at most {:g} m/s", air.wind.norm(), most_wind));
   return air;
 }
@@ -247,7 +246,7 @@ Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>& plan, TrialRock& rock, con
   rock.start_is_drawn |= where.drawn();
   if (plan.position ? rock.population_drew : where.drawn())
     rock.outcomes.template set_release<D>(place.position + origin().template head<D>());
-  body.air = air_of(body, rock.key);
+  if (group.air) body.air = air_of(*group.air, key_path(rock, "air")(), body, rock.key);
   launch(plan, rock, place, terrain, body);
   return body;
 }
@@ -284,8 +283,12 @@ void TrialBuilder<D>::ask_launch(TrialRock& rock, const Place<D>& place, const T
   const TerrainView ground = view_of(terrain, origin());
   view.terrain = &ground;
   RandomStream rng(scenario_.streams, streams_[rock.group].launch, rock.key);
-  const Launch launch = instances_.groups[rock.group].launch->launch(
-      values_of(*group.launch, scenario_, rock.key), view, blast_at(scenario_, rock.key), rng);
+  std::vector<double> values = values_of(*group.launch, scenario_, rock.key);
+  if (group.absolute_azimuth >= 0)  // a model counts it from the face
+    values[static_cast<std::size_t>(group.absolute_azimuth)] -=
+        std::atan2(place.outward.y(), place.outward.x());
+  const Launch launch =
+      instances_.groups[rock.group].launch->launch(values, view, blast_at(scenario_, rock.key), rng);
   rock.start_is_drawn |= rng.drawn();
   if (!launch.velocity.allFinite() || !launch.spin.allFinite())
     throw PluginError(fmt::format("plugin {}: launch() returned a velocity or spin that is not finite",
@@ -319,7 +322,8 @@ Partner TrialBuilder<D>::partner_of(const RockPlan<D>& plan, const TrialRock& ro
 }
 
 #define FLYROCK_INSTANTIATE(D)                                                                      \
-  template Air<D> TrialBuilder<D>::air_of(const Body<D>&, const DrawKey&) const;                    \
+  template Air<D> TrialBuilder<D>::air_of(const AirPlan&, const std::string&, const Body<D>&,       \
+                                          const DrawKey&) const;                                    \
   template Place<D> TrialBuilder<D>::place_of(const RockPlan<D>&, const TrialRock&, const Body<D>&, \
                                               const Terrain&, RandomStream&) const;                 \
   template Body<D> TrialBuilder<D>::rock_body(const RockPlan<D>&, TrialRock&, const Terrain&,       \

@@ -223,8 +223,7 @@ std::vector<RockPlan<D>> TrialBuilder<D>::plans_of(int g, const TerrainView& gro
     return plans;
   }
   if (group.per_hole)
-    return std::vector<RockPlan<D>>(static_cast<std::size_t>(*group.per_hole) *
-                                    static_cast<std::size_t>(scenario_.blast->pattern.holes()));
+    return std::vector<RockPlan<D>>(static_cast<std::size_t>(*group.per_hole) * group.holes.size());
   DrawKey first_hole = of_trial;
   first_hole.hole = 1;
   return at_path(group.population.path, [&] {
@@ -267,7 +266,9 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
       rock.weight = plan.weight.value_or(group.weight.value_or(1));
       rock.population_drew = rng.drawn();
       const std::uint64_t hole =
-          group.per_hole ? i / static_cast<std::size_t>(*group.per_hole) : count % holes;
+          group.per_hole
+              ? static_cast<std::uint64_t>(group.holes[i / static_cast<std::size_t>(*group.per_hole)])
+              : count % holes;
       rock.key = {number_of_trial, 1 + hole, 1 + count, 0};
       rock.branch = branch_of_hole(scenario_, number_of_trial, hole);
       TrialBuilder& by = builder_of(rock.branch);
@@ -363,7 +364,8 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
       body.w = spin_of<D>([&](int k) { return value(plan.spin[k]); });
     }
     at_path(path + (plan.driven ? "driven" : "velocity"), [&] { refuse_speed(body); });
-    if (!plan.fixed && !plan.driven) body.air = air_of(body, rock.key);
+    if (!plan.fixed && !plan.driven && scenario_.air)
+      body.air = air_of(*scenario_.air, "air", body, rock.key);
     rock.launch_speed = body.v.norm();
     if (rock.launch_speed > 0) rock.launch_elevation = elevation_of(body.v, Vec3::UnitX());
     rock.world = 0;

@@ -146,7 +146,7 @@ class TrialBuilder {
   World<D>& add_world(Trial<D>& trial, const DrawKey& key) const;
   void give_laws(Trial<D>& trial, Partner partner) const;
   Vec<D> gravity(const DrawKey& key) const;
-  Air<D> air_of(const Body<D>& body, const DrawKey& key) const;
+  Air<D> air_of(const AirPlan& plan, const std::string& path, const Body<D>& body, const DrawKey& key) const;
   void connect(Trial<D>& trial, World<D>& world, std::vector<Partner> partners);
   double number(const Number& n, const DrawKey& key) const {
     return n.value(scenario_.draws, scenario_.streams, key);

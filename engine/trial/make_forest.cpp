@@ -18,11 +18,10 @@ constexpr double most_trees = 2e6;
 Box2 box_of(const Scenario& scenario, const Ground3& ground) {
   const std::string& name = scenario.forest->zone;
   for (const Zone& zone : scenario.terrain.zones) {
-    if (zone.name != name || (zone.polygon.empty() && zone.outlines.empty())) continue;
-    const std::vector<std::vector<Vec2>> outlines =
-        zone.polygon.empty() ? zone.outlines : std::vector<std::vector<Vec2>>{zone.polygon};
+    if (zone.name != name || (zone.polygon.empty() && zone.polygons.empty())) continue;
     Box2 box = Box2::empty();
-    for (const std::vector<Vec2>& outline : outlines) box.add(Box2::around(outline));
+    if (!zone.polygon.empty()) box.add(Box2::around(zone.polygon));
+    for (const PlanPolygon& polygon : zone.polygons) box.add(Box2::around(polygon.outline));
     const Vec2 origin = scenario.terrain.origin.head<2>();
     return {box.low - origin, box.high - origin};
   }

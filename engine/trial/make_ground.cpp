@@ -36,13 +36,23 @@ TerrainShape3 renamed(TerrainShape3 shape, const std::string& from, const std::s
   return shape;
 }
 
+/// " (its corners look like degrees ...)" of a zone whose numbers are those of longitudes and latitudes.
+std::string hint_of_degrees(const Zone& zone) {
+  std::vector<Vec2> corners;
+  for (const PlanPolygon& polygon : zone.polygons)
+    corners.insert(corners.end(), polygon.outline.begin(), polygon.outline.end());
+  const auto is_on_earth = [](const Vec2& p) { return std::abs(p.x()) <= 180 && std::abs(p.y()) <= 90; };
+  const bool are = !corners.empty() && std::all_of(corners.begin(), corners.end(), is_on_earth);
+  return are ? "; its corners may be in degrees, expected metres of the system of the terrain" : "";
+}
+
 /// Refuses a zone that has no part of a terrain after it was cut out of it.
 void refuse_if_empty(const std::vector<Zone>& zones, const Zone& zone, bool has_part) {
   if (has_part) return;
   throw ScenarioError(fmt::format("terrain.zones.{}", &zone - zones.data()),
                       fmt::format("the zone `{}` covers nothing of the terrain: expected a region on it that "
-                                  "holds the middle of a segment, triangle or cell",
-                                  zone.name));
+                                  "holds the middle of a segment, triangle or cell{}",
+                                  zone.name, hint_of_degrees(zone)));
 }
 
 bool has_part(const Plane& plane, const std::string& name) { return plane.parts.front() == name; }
@@ -77,8 +87,8 @@ Terrain3 shaped_ground(TerrainShape3 shape, const TerrainPlan& plan) {
   for (const Zone& zone : plan.zones) {
     if (!zone.polygon.empty())
       shape = with_zone(std::move(shape), zone.name, zone.polygon);
-    else if (!zone.outlines.empty())
-      shape = with_outlined_zone(std::move(shape), zone.name, zone.outlines);
+    else if (!zone.polygons.empty())
+      shape = with_zone(std::move(shape), zone.name, zone.polygons);
     else if (zone.raster)
       shape =
           with_zone(std::move(shape), zone.name, [&zone](const Vec2& place) { return covers(zone, place); });
@@ -117,7 +127,7 @@ Profile with_zones(Profile profile, const std::vector<Zone>& zones) {
 
 bool covers(const Zone& zone, const Vec2& place) {
   if (!zone.polygon.empty()) return is_inside(zone.polygon, place);
-  if (!zone.outlines.empty()) return is_inside(zone.outlines, place);
+  if (!zone.polygons.empty()) return is_inside(zone.polygons, place);
   return zone.raster && value_at(*zone.raster, place) == zone.value;
 }
 

@@ -24,9 +24,14 @@ struct Close {
   void operator()(void* dataset) const { GDALClose(dataset); }
 };
 
+/// Why the file cannot be opened: GDAL's text names the file, and what is missing.
 std::string last_error() {
   const std::string text = CPLGetLastErrorMsg();
   return text.empty() ? "GDAL cannot read it" : text;
+}
+
+std::string cut_at(int row) {
+  return fmt::format("the file is cut or damaged: its rows from {} on cannot be read", row);
 }
 
 /// Fills the size and the place of the grid from the six numbers of GDAL: x = t0 + t1 column + t2 row, y = t3
@@ -56,12 +61,17 @@ std::string unit_of_metres(double metres) {
   return {};
 }
 
-/// m, ft or us_ft of the names that files have; empty for another one.
+/// The unit (metres_in) of the names that files have; empty for another one.
 std::string unit_of_name(std::string name) {
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::size_t above = name.find(" a");  // "m a.s.l.", "metres above sea level"
+  if (above != name.npos) name.resize(above);
   for (const char* metre : {"m", "metre", "meter", "metres", "meters"})
     if (name == metre) return "m";
+  for (const auto& [unit, word] : {std::pair("dm", "decimet"), std::pair("cm", "centimet"),
+                                   std::pair("mm", "millimet"), std::pair("km", "kilomet")})
+    if (name == unit || name.starts_with(word)) return unit;
   const bool is_foot =
       name.find("foot") != name.npos || name.find("feet") != name.npos || name.find("ft") != name.npos;
   if (!is_foot) return {};
@@ -100,6 +110,8 @@ std::string picture_fault(GDALRasterBandH band) {
   const GDALColorInterp colour = GDALGetRasterColorInterpretation(band);
   if (colour == GCI_RedBand || colour == GCI_GreenBand || colour == GCI_BlueBand)
     return "its first band is a colour of a picture, expected heights";
+  if (colour == GCI_PaletteIndex || GDALGetRasterColorTable(band))
+    return "its first band holds numbers of a palette of colours, expected heights";
   return {};
 }
 
@@ -122,10 +134,10 @@ std::string read_values(GDALRasterBandH band, std::optional<double> no_data, boo
     double* heights = grid.heights.data() + static_cast<std::size_t>(from_south) * grid.columns;
     if (GDALRasterIO(band, GF_Read, 0, row, grid.columns, 1, heights, grid.columns, 1, GDT_Float64, 0, 0) !=
         CE_None)
-      return last_error();
+      return cut_at(row);
     if (mask && GDALRasterIO(mask, GF_Read, 0, row, grid.columns, 1, valid.data(), grid.columns, 1, GDT_Byte,
                              0, 0) != CE_None)
-      return last_error();
+      return cut_at(row);
     for (int column = 0; column < grid.columns; ++column) {
       double& z = heights[column];
       const bool is_void = valid[static_cast<std::size_t>(column)] == 0 || !std::isfinite(z) ||
@@ -166,11 +178,7 @@ std::string read(const std::string& path, std::optional<double> no_data, RasterF
   if (bands > 1) file.notes.push_back(fmt::format("has {} bands, of which the first is read", bands));
   const std::string unit = GDALGetRasterUnitType(band);
   file.height_unit = unit_of_name(unit);
-  if (!unit.empty() && file.height_unit.empty())
-    file.notes.push_back(
-        fmt::format("its heights have the unit `{}`, which is not known: they are taken as m; "
-                    "`unit` and `scale` say otherwise",
-                    unit));
+  file.unknown_height_unit = file.height_unit.empty() ? unit : "";
   return read_values(band, no_data, is_north_first, file);
 }
 

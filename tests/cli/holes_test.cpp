@@ -168,12 +168,12 @@ TEST_CASE("a table of holes says what the same list says, in any order of its co
   folder.write("holes.csv",
                "delay_ms;stemming [m];note;burden_m;hole;charge_kg_per_m;dip_deg\n"
                "17;2,2;wet;2,4;h 1;7,3;80\n34;;;2,9;h 2;7,1;\n");
-  folder.write("other.csv", "B,S,id,q,t\n2.4,2.2,h 1,7.3,0.017\n2.9,,h 2,7.1,0.034\n");
+  folder.write("other.csv", "B,S,id,q,t_s\n2.4,2.2,h 1,7.3,0.017\n2.9,,h 2,7.1,0.034\n");
   const std::string common = "  hole: { diameter: 102 mm, stemming: 2.6 m }\n  holes: ";
   folder.write("table.yaml", scenario_of(common + "{ file: holes.csv }\n", "{ type: own }"));
   folder.write("mapped.yaml",
                scenario_of(common + "{ file: other.csv, columns: { burden: B, stemming: S, hole: id, "
-                                    "linear_charge: q, time: t } }\n",
+                                    "linear_charge: q, time: t_s } }\n",
                            "{ type: own }"));
   folder.write(
       "list.yaml",
@@ -438,13 +438,13 @@ TEST_CASE("check says which settings of a branch nothing reads") {
 }
 
 TEST_CASE("a column or key is named as not used only if nothing that decides a throw follows from it") {
-  // A face 3 m in front of holes that lean away from it.
+  // A face 3 m in front of holes that lean to it.
   std::string face = "x,y,z\n";
   for (int y = -12; y <= 12; y += 2)
     for (int z = -2; z <= 14; ++z) face += "3," + std::to_string(y) + "," + std::to_string(z) + "\n";
   const std::string full =
-      "hole,x_m,y_m,z_m,length_m,stemming_m,dip_deg,azimuth_deg\n1,0,-2,12,12.4,2.5,80,0\n"
-      "2,0,2,12,12.4,2.5,80,0\n";
+      "hole,x_m,y_m,z_m,length_m,stemming_m,dip_deg,bearing_deg\n1,0,-2,12,12.4,2.5,80,90\n"
+      "2,0,2,12,12.4,2.5,80,90\n";
   struct Case {
     const char* name;
     std::string blast, holes;
@@ -457,7 +457,7 @@ TEST_CASE("a column or key is named as not used only if nothing that decides a t
        diameter + "  burden: 3 m\n",
        full,
        {"the column `length` (gurney", "the column `stemming` (gurney", "the column `dip` (gurney",
-        "the column `azimuth` (gurney"}},
+        "the column `bearing` (gurney"}},
       {"the face gives the burdens",
        diameter + "  burden: 3 m\n  face: { points: face.csv }\n",
        full,

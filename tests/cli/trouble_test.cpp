@@ -359,7 +359,8 @@ TEST_CASE("A result whose files are gone is made again by --resume, and no expor
   REQUIRE(call(folder, "run s.yaml --quiet -o r").code == 0);
   const std::string rocks = read(folder.path() / "r/rocks.csv");
   check_refused(folder, "export r --to csv -o r",
-                "error: -o r: it holds results, whose files would be replaced; expected another folder\n"
+                "error: -o r: it holds results, whose files would be replaced; expected another folder, or "
+                "--force\n"
                 "See `flyrock export --help`.\n");
   for (const char* file : {"report.html", "rocks.csv", "results.db"}) {
     fs::remove(folder.path() / "r" / file);

@@ -234,6 +234,44 @@ TEST_CASE("a value far from all other heights is refused where it is a code of n
   CHECK(notes_of("410").empty());
 }
 
+TEST_CASE("a cell more than 100 m from all cells about it is named, whatever its value") {
+  const auto notes = [](const std::string& rows) {
+    const TemporaryFile file("lone.asc",
+                             "ncols 4\nnrows 3\nxllcorner 100\nyllcorner 200\ncellsize 2\n" + rows);
+    const std::vector<std::string> all = survey_of("raster", file.path).report.notes;
+    return all.empty() ? "" : all.front().substr(file.path.size() + 2);
+  };
+  CHECK(notes("472 473 474 475\n472 0 474 475\n472 473 474 475\n") ==
+        "1 cell lies more than 100 m above or below all cells about it; that at (103, 203) is 0 m, 472 m "
+        "from the "
+        "nearest: write `no_data: 0` if it has no data");
+  CHECK(notes("472 473 474 475\n472 5000 474 475\n472 473 474 475\n")
+            .find("is 5000 m, 4526 m from the nearest") != std::string::npos);
+  CHECK(notes("472 473 474 475\n472 0 474 800\n472 473 474 475\n").find("2 cells lie more than 100 m") == 0);
+  CHECK(notes("472 473 474 475\n472 0 474 800\n472 473 474 475\n").find("they have different values") !=
+        std::string::npos);
+  CHECK(notes("472 473 474 475\n472 473 474 300\n300 300 300 300\n").empty());  // a cliff
+}
+
+TEST_CASE("a projection beside a grid that has other heights, or is not understood, is read or refused") {
+  const TemporaryFile file(
+      "both.asc", "ncols 2\nnrows 2\nxllcorner 1000\nyllcorner 2000\ncellsize 10\n100 101\n102 103\n");
+  const std::string path = std::filesystem::path(file.path).replace_extension(".prj").string();
+  const auto with = [&](const std::string& text) { std::ofstream(path) << text; };
+  with(
+      "PROJCS[\"x\",GEOGCS[\"y\",UNIT[\"Degree\",0.017]],UNIT[\"Meter\",1.0]],VERTCS[\"h\",UNIT[\"Foot_US\","
+      "0.3048006096012192]]");
+  CHECK(grid_of(file.path).at(0, 0) == Approx(102 * us_foot));
+  with("Projection STATEPLANE\nUnits FEET\nZunits FEET\n");
+  CHECK(survey_error("raster", file).find("write `plan_unit: us_ft`") != std::string::npos);
+  const Survey feet = survey_of("raster", file.path, {{"plan_unit", "us_ft"}});
+  CHECK(std::get<HeightGrid>(feet.shape).at(0, 0) == Approx(102 * us_foot));
+  CHECK(feet.report.is_converted);
+  with("PROJCS[\"x\",UNIT[\"Foot_Clarke\",0.3047972654]]");
+  CHECK(survey_error("raster", file).find("the file .prj beside it is not understood") != std::string::npos);
+  std::filesystem::remove(path);
+}
+
 TEST_CASE("scale and unit make metres of heights, plan_unit of places") {
   const std::string content =
       "ncols 2\nnrows 2\nxllcorner 1000\nyllcorner 2000\ncellsize 10\n1000 1010\n1020 1030\n";

@@ -49,3 +49,17 @@ TEST_CASE("100 fixed files of ground are read as they are meant, or refused with
   REQUIRE(sum_of(tallies).findings() == 0);
   std::filesystem::remove_all(settings.findings);
 }
+
+TEST_CASE("200 fixed tables of holes are read as they are meant, or refused") {
+  FuzzSettings settings;
+  settings.mutants = 200;
+  settings.kind = "tables";
+  settings.seed = 1;
+  settings.findings =
+      std::filesystem::temp_directory_path() / ("flyrock_table_findings_" + std::to_string(::getpid()));
+  const std::vector<KindTally> tallies = fuzz(settings);
+  INFO(table_of(tallies) << settings.findings << " has the tables");
+  CHECK(sum_of(tallies).mutants == 200);
+  REQUIRE(sum_of(tallies).findings() == 0);
+  std::filesystem::remove_all(settings.findings);
+}

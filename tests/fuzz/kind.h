@@ -18,15 +18,16 @@ class Kind {
   virtual void attempt(Dice& dice, Calls& call) = 0;
 };
 
-std::unique_ptr<Kind> make_yaml_kind();       ///< YAML scenarios and the files that they name
-std::unique_ptr<Kind> make_lua_kind();        ///< Lua scenarios
-std::unique_ptr<Kind> make_plugin_kind();     ///< manifests and laws in Lua
-std::unique_ptr<Kind> make_chunk_kind();      ///< shards: chunk files, request.json, manifest.json
-std::unique_ptr<Kind> make_problem_kind();    ///< friction problems in HDF5; null if the build has no HDF5
-std::unique_ptr<Kind> make_result_kind();     ///< results.db, manifest.json, summary.json
-std::unique_ptr<Kind> make_arguments_kind();  ///< words of the command line
-std::unique_ptr<Kind> make_scene_kind();      ///< random scenes, judged by their motion
-std::unique_ptr<Kind> make_terrain_kind();    ///< files of ground, judged by what is read of them
+std::unique_ptr<Kind> make_yaml_kind();        ///< YAML scenarios and the files that they name
+std::unique_ptr<Kind> make_lua_kind();         ///< Lua scenarios
+std::unique_ptr<Kind> make_plugin_kind();      ///< manifests and laws in Lua
+std::unique_ptr<Kind> make_chunk_kind();       ///< shards: chunk files, request.json, manifest.json
+std::unique_ptr<Kind> make_problem_kind();     ///< friction problems in HDF5; null if the build has no HDF5
+std::unique_ptr<Kind> make_result_kind();      ///< results.db, manifest.json, summary.json
+std::unique_ptr<Kind> make_arguments_kind();   ///< words of the command line
+std::unique_ptr<Kind> make_scene_kind();       ///< random scenes, judged by their motion
+std::unique_ptr<Kind> make_hole_table_kind();  ///< tables of holes, judged by what is read of them
+std::unique_ptr<Kind> make_terrain_kind();     ///< files of ground, judged by what is read of them
 
 struct KindEntry {
   std::string_view name;
@@ -34,7 +35,7 @@ struct KindEntry {
   int share;  ///< percent of the time and of the mutants; 0: only if it is asked for
 };
 
-inline constexpr std::array<KindEntry, 9> kinds = {{
+inline constexpr std::array<KindEntry, 10> kinds = {{
     {"yaml", make_yaml_kind, 30},
     {"lua", make_lua_kind, 15},
     {"plugin", make_plugin_kind, 15},
@@ -44,6 +45,7 @@ inline constexpr std::array<KindEntry, 9> kinds = {{
     {"arguments", make_arguments_kind, 10},
     {"scenes", make_scene_kind, 0},
     {"terrain", make_terrain_kind, 0},
+    {"tables", make_hole_table_kind, 0},
 }};
 
 }  // namespace flyrock::fuzz

@@ -117,11 +117,11 @@ function area_section() {
     const nodes = clearances.map((clearance) => plot_node(`The area of the clearance ${clearance.clearance} on the plan; the same numbers in the table below`));
     content.replaceChildren(...clearances.flatMap((clearance, i) => [element("h3", {}, clearance.clearance), nodes[i],
       clearance.area.beyond === null ? paragraph("", `There is no area: ${show(clearance.area.effective)} independent ${clearance.per === "blast" ? "blasts" : "rocks"} are too few for a probability of ${percent(clearance.probability)}.`) : "",
-      numbers(table("", ["azimuth °", clearance.per === "blast" ? "blasts" : "rocks", "share", "95 % from", "to", "farthest m", "area to m", "with the factor m"],
-        clearance.area.sectors.map((s) => [s.azimuth_deg, s.count, ...[s.share, ...s.share_interval].map((value) => right(value === null ? "–" : percent(value))),
+      numbers(table("", ["bearing °", clearance.per === "blast" ? "blasts" : "rocks", "share", "95 % from", "to", "farthest m", "area to m", "with the factor m"],
+        clearance.area.sectors.map((s) => [s.bearing_deg, s.count, ...[s.share, ...s.share_interval].map((value) => right(value === null ? "–" : percent(value))),
           right(s.greatest === null ? "no data" : `${s.lower_bound ? "≥ " : ""}${show(s.greatest)}`), s.distance, s.with_factor])))]),
       caption("With 95 % confidence at most the given share of new rocks (or blasts) stops outside the area on this plan. Hatched: too few rocks ended there, and the area ends at the hull.",
-        "North (N) is where +y is. Distances count from the hull of all release places, or from the given point.",
+        "North (N) is where bearing 0 points. Distances count from the hull of all release places, or from the given point.",
         "In each sector the area ends where the same number of the simulated rocks lies beyond; this number is the greatest for which the share of new rocks outside is at most the probability with 95 % confidence (order statistics of all sectors together). Rocks that share the draws of a trial count as fewer. The factor is yours."));
     clearances.forEach((clearance, i) => draw_area(nodes[i], clearance));
   });

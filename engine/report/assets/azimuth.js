@@ -19,7 +19,7 @@ function wedges(sectors, radius) {
   return { x, y };
 }
 
-const azimuth_range = (sector) => `${show(sector.from_deg)}° to ${show(sector.to_deg)}°`;
+const bearing_range = (sector) => `${show(sector.bearing_from_deg)}° to ${show(sector.bearing_to_deg)}°`;
 
 function draw_rose(node, azimuths) {
   const layer = (name, radius, style) => ({ ...wedges(azimuths.sectors, radius), mode: "lines", name, hoverinfo: "skip", ...style });
@@ -31,7 +31,7 @@ function draw_rose(node, azimuths) {
   const at = (s) => (Math.PI / 180) * ((s.from_deg + s.to_deg) / 2);
   traces.push({
     x: azimuths.sectors.map((s) => s.greatest * Math.cos(at(s))), y: azimuths.sectors.map((s) => s.greatest * Math.sin(at(s))), mode: "markers", name: "farthest rock", showlegend: false, marker: { size: 5, color: colour.ink },
-    text: azimuths.sectors.map((s) => `azimuth ${azimuth_range(s)}: ${counted(s.count, "rock", "rocks")}<br>greatest ${s.lower_bound ? "≥ " : ""}${show(s.greatest)} m` + (s.p95 ? `<br>p50 ${show(s.p50.value)} m, p95 ${s.p95.lower_bound ? "≥ " : ""}${show(s.p95.value)} m` : "<br>too few rocks for percentiles")),
+    text: azimuths.sectors.map((s) => `bearing ${bearing_range(s)}: ${counted(s.count, "rock", "rocks")}<br>greatest ${s.lower_bound ? "≥ " : ""}${show(s.greatest)} m` + (s.p95 ? `<br>p50 ${show(s.p50.value)} m, p95 ${s.p95.lower_bound ? "≥ " : ""}${show(s.p95.value)} m` : "<br>too few rocks for percentiles")),
     hovertemplate: "%{text}<extra></extra>",
   });
   const window = window_of(node, traces, 620);
@@ -45,21 +45,21 @@ function draw_rose(node, azimuths) {
 function azimuth_table(azimuths) {
   const value = (p) => right(p === null ? "too few" : `${p.lower_bound ? "≥ " : ""}${show(p.value)}`);
   const interval = (p) => right(p === null || (p.interval[0] === null && p.interval[1] === null) ? "–" : `${show(p.interval[0])} to ${show(p.interval[1])}`);
-  return table("", ["azimuth", "rocks", "share (95 %)", "p50 m", "95 % interval m", "p95 m", "95 % interval m", "greatest m"],
-    azimuths.sectors.map((s) => [azimuth_range(s), s.count, right(with_interval(s.share, s.share_interval)), value(s.p50), interval(s.p50), value(s.p95), interval(s.p95), right(`${s.lower_bound ? "≥ " : ""}${show(s.greatest)}`)]));
+  return table("", ["bearing", "rocks", "share (95 %)", "p50 m", "95 % interval m", "p95 m", "95 % interval m", "greatest m"],
+    azimuths.sectors.map((s) => [bearing_range(s), s.count, right(with_interval(s.share, s.share_interval)), value(s.p50), interval(s.p50), value(s.p95), interval(s.p95), right(`${s.lower_bound ? "≥ " : ""}${show(s.greatest)}`)]));
 }
 
 function azimuth_section() {
   if (summary.points.every((point) => point.runout_by_azimuth.every((group) => group.sectors.length === 0))) return;
-  const node = plot_node("Runout by azimuth as a rose; the same numbers in the table below"), note = paragraph("note", ""), table_place = element("div");
-  section(`${runout_title} by azimuth`, note, node, caption(`The ${runout_name} of the rocks of each sector of 10°, seen from their own releases. A sector without a wedge has no data: no rock went there.`,
-    "Azimuths count from +x towards +y. Hover over the mark of the farthest rock of a sector for its numbers.",
+  const node = plot_node("Runout by bearing as a rose; the same numbers in the table below"), note = paragraph("note", ""), table_place = element("div");
+  section(`${runout_title} by bearing`, note, node, caption(`The ${runout_name} of the rocks of each sector of 10°, seen from their own releases. A sector without a wedge has no data: no rock went there.`,
+    "Bearings count clockwise from north. Hover over the mark of the farthest rock of a sector for its numbers.",
     "Percentiles are of the rocks of the sector alone, and not of all rocks: the share says how many go there. Their intervals are those of the order statistics (binomial); –: the sample is too small for that end."), numbers(table_place));
   redraw.push(() => {
     const azimuths = summary.points[shown.point].runout_by_azimuth[shown.group], rocks = azimuths.sectors.reduce((sum, s) => sum + s.count, 0), few = azimuths.sectors.filter((s) => s.p50 === null).length;
     note.textContent = `Shown: ${shown_text()}; ${counted(rocks, "rock", "rocks")} in ${counted(azimuths.sectors.length, "sector", "sectors")}.` +
       (few > 0 ? ` ${few} of them ${few === 1 ? "has" : "have"} fewer than ${azimuths.least} rocks: only the greatest ${runout_short} is given there.` : "") +
-      (azimuths.still > 0 ? ` ${counted(azimuths.still, "rock", "rocks")} ended where they began and have no azimuth.` : "");
+      (azimuths.still > 0 ? ` ${counted(azimuths.still, "rock", "rocks")} ended where they began and have no bearing.` : "");
     table_place.replaceChildren();
     if (azimuths.sectors.length === 0) return no_plot(node, "No rock moved away from its release.");
     draw_rose(node, azimuths);

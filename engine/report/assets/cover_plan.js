@@ -11,7 +11,7 @@ function plan_scale(sheet_of, is_alone, [x, y]) {
 }
 
 /** The direction of north from +x towards +y. */
-const north_deg = data.north_deg ?? 90;
+const north_deg = summary.north_deg ?? 90;
 /** "bearing 127 deg, south-east": of a direction in plan, clockwise from north. */
 function bearing_text(dx, dy) {
   const bearing = (Math.round(north_deg - (Math.atan2(dy, dx) * 180) / Math.PI) + 720) % 360, names = ["north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west"];

@@ -46,9 +46,11 @@ function scale_bar(window) {
   };
 }
 
-/** North is where +y is. */
+/** The direction of bearing 0 on a sheet with y upwards, as [right, up]. */
+const north_on_sheet = () => [Math.cos((summary.north_deg * Math.PI) / 180), Math.sin((summary.north_deg * Math.PI) / 180)];
+
 const north_arrow = () => [
-  { xref: "paper", yref: "paper", x: 0.975, y: 0.97, ax: 0, ay: 34, text: "", showarrow: true, arrowhead: 2, arrowsize: 1.3, arrowwidth: 2, arrowcolor: colour.ink },
+  { xref: "paper", yref: "paper", x: 0.975, y: 0.97, ax: -34 * north_on_sheet()[0], ay: 34 * north_on_sheet()[1], text: "", showarrow: true, arrowhead: 2, arrowsize: 1.3, arrowwidth: 2, arrowcolor: colour.ink },
   { xref: "paper", yref: "paper", x: 0.975, y: 0.97, xanchor: "center", yanchor: "bottom", text: "<b>N</b>", showarrow: false, bgcolor: "rgba(255,255,255,0.75)", font: { size: 13, color: colour.ink } },
 ];
 

@@ -67,7 +67,7 @@ function maps_section() {
   section("Maps", chooser("Raster", Object.keys(data.map_units).filter((name) => data.points.some((point) => point.map && name in point.map)).map((name) => [name, `${name}: ${map_titles[name]}`]), raster, (name) => { raster = name; update(); }),
     chooser("Colours", [["own", "as the values need"], ["linear", "linear"], ["logarithmic", "logarithmic"]], scale, (name) => { scale = name; update(); }), note, node,
     caption("Where rocks pass, how often, how high, how fast and with which energy. A rock counts once in a cell, with its greatest value there; cells that no rock passed show the bare relief.",
-      "Colours are logarithmic where the values reach over two decades, unless you choose; cells with 0 have none then. Light comes from the north-west, and north (N) is where +y is.",
+      "Colours are logarithmic where the values reach over two decades, unless you choose; cells with 0 have none then. Light comes from the north-west, and north (N) is where bearing 0 points.",
       "Every cell under a flight counts, however long the flight is. Heights are those of the centre of mass above the ground, energies are kinetic with rotation; p95 is known to 5 %.",
       "flyrock export --to asc writes these rasters for a GIS."));
   redraw.push(update);

@@ -22,8 +22,8 @@ return fr.plugin {
     azimuth = fr.number {
       optional = true,
       unit = "deg",
-      doc = "3D: where the faces look, from +x towards +y; 0 where it is left out. All turns about the z axis. A compass "
-        .. "bearing b is 90 deg - b",
+      doc = "3D: where the faces look, from +x towards +y; 0 where it is left out. All turns about the z axis. Or "
+        .. "`bearing`",
     },
     line = fr.plan_points {
       optional = true,

@@ -19,11 +19,13 @@ const std::vector<TableColumn>& profile_columns() {
        .dimension = dimension::length,
        .required = true,
        .also = {"distance", "dist", "station", "stationing", "chainage", "offset", "s", "d", "abscissa",
-                "abstand", "distanz"}},
+                "abstand", "distanz"},
+       .is_common = false},  // an easting is no distance along the section, a northing no height
       {.name = "y",
        .dimension = dimension::length,
        .required = true,
-       .also = {"z", "height", "h", "elevation", "elev", "level", "altitude", "hoehe", "cota"}}};
+       .also = {"z", "height", "h", "elevation", "elev", "level", "altitude", "hoehe", "cota"},
+       .is_common = false}};
   return columns;
 }
 

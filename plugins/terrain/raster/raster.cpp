@@ -86,6 +86,46 @@ std::vector<LonelyHeight> lonely_heights(const RasterFile& file, double metres) 
   return found;
 }
 
+/// Cells that lie more than 100 m above or below all cells about them, whatever their value: a ground has
+/// slopes between its cells.
+std::vector<LonelyHeight> lonely_cells(const RasterFile& file, double metres) {
+  constexpr double far = 100;  // m
+  const HeightGrid& grid = file.grid;
+  const auto least_step = [&](int row, int column) {
+    double least = infinite;
+    for (int r = std::max(0, row - 1); r <= std::min(grid.rows - 1, row + 1); ++r)
+      for (int c = std::max(0, column - 1); c <= std::min(grid.columns - 1, column + 1); ++c)
+        if ((r != row || c != column) && !std::isnan(grid.at(c, r)))
+          least = std::min(least, std::abs(grid.at(c, r) - grid.at(column, row)));
+    return std::isfinite(least) ? least : 0;
+  };
+  std::size_t count = 0;
+  bool are_equal = true;
+  int first_row = 0, first_column = 0;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      if (std::isnan(grid.at(column, row)) || !(least_step(row, column) > far)) continue;
+      if (count++ == 0) {
+        first_row = row;
+        first_column = column;
+      }
+      are_equal = are_equal && grid.at(column, row) == grid.at(first_column, first_row);
+    }
+  if (count == 0) return {};
+  const double z = grid.at(first_column, first_row);
+  const Vec2 place = grid.corner + grid.cell * Vec2(first_column, first_row);
+  const std::string cure = are_equal
+                               ? fmt::format("write `no_data: {:.10g}` if {} no data",
+                                             in_file(file, z, metres), count == 1 ? "it has" : "they have")
+                               : "they have different values: mend them in the program that made the grid";
+  return {{fmt::format(
+      "{} cell{} more than {:.0f} m above or below all cells about {}; {} at ({:.10g}, {:.10g}) is "
+      "{:.10g} m, {:.0f} m from the nearest: {}",
+      count, count == 1 ? " lies" : "s lie", far, count == 1 ? "it" : "them",
+      count == 1 ? "that" : "the first", place.x(), place.y(), z, least_step(first_row, first_column),
+      cure)}};
+}
+
 class RasterTerrain : public SurveyedTerrain {
  public:
   explicit RasterTerrain(Params& params) : file_(params.text("file")), unit_(params.text("unit")) {
@@ -101,10 +141,11 @@ class RasterTerrain : public SurveyedTerrain {
     plan_to_metres(read);
     const double metres = heights_to_metres(read);
     if (const std::string wrong = impossible_heights(read, metres); !wrong.empty()) fail(wrong);
-    for (LonelyHeight& lonely : lonely_heights(read, metres)) {
-      if (lonely.is_code) fail(lonely.text);
-      read.notes.push_back(std::move(lonely.text));
-    }
+    std::vector<LonelyHeight> lonely = lonely_heights(read, metres);
+    for (const LonelyHeight& one : lonely)
+      if (one.is_code) fail(one.text);
+    if (lonely.empty()) lonely = lonely_cells(read, metres);
+    for (LonelyHeight& one : lonely) read.notes.push_back(std::move(one.text));
     if (fill_ > 0)
       if (const FilledVoids filled = fill_voids(read.grid, fill_); filled.count > 0)
         read.notes.push_back(fmt::format("filled {} void{} of {} cell{} in all", filled.count,
@@ -114,6 +155,7 @@ class RasterTerrain : public SurveyedTerrain {
     report_ = {fmt::format("{} cells of {:.6g} m, {}", with_commas(read.grid.heights.size()), read.grid.cell,
                            heights_of(read.grid)),
                read.crs,
+               is_converted(),
                {}};
     for (const std::string& note : read.notes) report_.notes.push_back(fmt::format("{}: {}", file_, note));
     return std::move(read.grid);
@@ -132,10 +174,13 @@ class RasterTerrain : public SurveyedTerrain {
           "its coordinates are in {}: write `plan_unit: {}`, which converts them to m (places of the "
           "scenario are then in m too), or project the grid first",
           read.plan_unit == "ft" ? "feet" : "US survey feet", read.plan_unit));
-    if (plan_unit_.empty() || plan_unit_ == "m") return;
+    if (!is_converted()) return;
     read.grid.cell *= metres_in(plan_unit_);
     read.grid.corner *= metres_in(plan_unit_);
+    read.crs.clear();
   }
+
+  bool is_converted() const { return !plan_unit_.empty() && plan_unit_ != "m"; }
 
   /// Returns the metres of one unit.
   double heights_to_metres(RasterFile& read) const {
@@ -145,6 +190,11 @@ class RasterTerrain : public SurveyedTerrain {
           "its coordinates are in feet, and it does not say the unit of its heights: write `unit: {}` or "
           "`unit: m`",
           read.plan_unit));
+    if (unit_.empty() && !read.unknown_height_unit.empty())
+      fail(fmt::format(
+          "its heights have the unit `{}`, which is not known: write `unit: m`, `ft` or `us_ft`, and "
+          "`scale` where one of its numbers is not one of these",
+          read.unknown_height_unit));
     const std::string& unit = unit_.empty() ? read.height_unit : unit_;
     const double metres = scale_ * (unit.empty() ? 1 : metres_in(unit));
     if (metres != 1)

@@ -18,7 +18,7 @@ return fr.plugin {
       doc = "f = c/m, or the paper's sqrt(c/m), whose speeds are not plausible",
     },
     elevation = fr.number { default = 45, unit = "deg", doc = "above the outward horizontal of the face (elsewhere +x)" },
-    azimuth = fr.number { optional = true, unit = "deg", doc = "turn about the vertical, 3D; 0 where it is left out" },
+    azimuth = fr.number { optional = true, unit = "deg", doc = "turn about the vertical from the face, 3D; 0 where it is left out; or `bearing`" },
   },
   native = "bench_fit",
 }

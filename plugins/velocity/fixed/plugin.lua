@@ -11,7 +11,7 @@ return fr.plugin {
       optional = true, unit = "deg",
       doc = "above the outward horizontal of the face (elsewhere +x); with `speed`, 45 deg where it is left out",
     },
-    azimuth = fr.number { optional = true, unit = "deg", doc = "turn about the vertical, 3D; 0 where it is left out" },
+    azimuth = fr.number { optional = true, unit = "deg", doc = "turn about the vertical from the face, 3D; 0 where it is left out; or `bearing`" },
     spin = fr.spin { default = 0, unit = "rad/s", usual = { -500, 500 }, doc = "anticlockwise; in 3D its components in the world frame" },
   },
   native = "fixed",

@@ -18,7 +18,7 @@ return fr.plugin {
       doc = "f = sqrt(c/m), or (m/c + 1/2)^-1/2, (m/c + 3/5)^-1/2, (m/c + 1/3)^-1/2",
     },
     elevation = fr.number { default = 45, unit = "deg", doc = "above the outward horizontal of the face (elsewhere +x)" },
-    azimuth = fr.number { optional = true, unit = "deg", doc = "turn about the vertical, 3D; 0 where it is left out" },
+    azimuth = fr.number { optional = true, unit = "deg", doc = "turn about the vertical from the face, 3D; 0 where it is left out; or `bearing`" },
   },
   native = "gurney",
 }

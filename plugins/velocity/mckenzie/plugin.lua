@@ -14,7 +14,7 @@ return fr.plugin {
   reads = { "blast.explosive.density", "blast.hole.diameter", "blast.hole.stemming", "blast.hole.charge_length" },
   params = {
     elevation = fr.number { default = 45, unit = "deg", doc = "above the outward horizontal of the face (elsewhere +x)" },
-    azimuth = fr.number { optional = true, unit = "deg", doc = "turn about the vertical, 3D; 0 where it is left out" },
+    azimuth = fr.number { optional = true, unit = "deg", doc = "turn about the vertical from the face, 3D; 0 where it is left out; or `bearing`" },
   },
   native = "mckenzie",
 }

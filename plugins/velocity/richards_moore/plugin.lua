@@ -29,7 +29,7 @@ return fr.plugin {
       optional = true, unit = "deg",
       doc = "other modes: above the outward horizontal of the face (elsewhere +x); 45 deg where it is left out",
     },
-    azimuth = fr.number { optional = true, unit = "deg", doc = "turn about the vertical, 3D; 0 where it is left out" },
+    azimuth = fr.number { optional = true, unit = "deg", doc = "turn about the vertical from the face, 3D; 0 where it is left out; or `bearing`" },
   },
   native = "richards_moore",
 }

@@ -88,3 +88,72 @@ TEST_CASE("a table may be apart by blanks, and names the separator where it is a
         "2:1: the line has 4 values, the heads are 2: with commas in decimals, separate the values by "
         "semicolons\n");
 }
+
+TEST_CASE("a table with a title line is refused, and the line of its heads named") {
+  CHECK(read_csv("Blast 24,,\nname,mass_kg,vx\nA,1,2\n").errors ==
+        "1:1: line 1 has no known head, line 2 has: delete the lines above line 2\n");
+  CHECK(read_csv("A,1,2\nname,mass,vx\nB,1,2\n").errors ==
+        "1:1: line 1 has no known head, line 2 has: delete the lines above line 2\n");
+  CHECK(read_csv("Results of the blast\n\nname;mass;vx\nB;1;2\n").errors ==
+        "1:1: line 1 has no known head, line 3 has: delete the lines above line 3\n");
+}
+
+TEST_CASE("rows of empty cells are none, rows that sum up others are an error") {
+  const TableRead blank = read_csv("name,mass\nA,1\n,\n\nB,2\n,,,\n");
+  REQUIRE(blank.errors == "");
+  CHECK(blank.table->rows() == 2);
+  CHECK(read_csv("name,mass\nA,1\nTotal,1\n").errors ==
+        "3:1: the row `Total` sums up others, and is no record: delete it\n");
+  CHECK(read_csv("colour,mass\nred,1\nMean:,1\n").errors ==
+        "3:1: the row `Mean:` sums up others, and is no record: delete it\n");
+}
+
+TEST_CASE("times without a unit are an error, as angles are, but for 0") {
+  CHECK(read_csv("mass,time\n1,0\n1,17\n").errors == "1:6: `time` needs a unit: `time_ms` or `time_s`?\n");
+  CHECK(read_csv("mass,time\n1,0\n1,0\n").errors == "");
+}
+
+TEST_CASE("a table has one decimal sign") {
+  CHECK(read_csv("mass;vx\n1.5;2\n1,5;2\n").errors ==
+        "3:1: `1,5` has a decimal comma and `1.5` of line 2 a point, expected one sign in a table\n");
+  CHECK(read_csv("mass;vx\n1,5;2\n1,5;2.5\n").errors ==
+        "3:5: `2.5` has a decimal point and `1,5` of line 2 a comma, expected one sign in a table\n");
+}
+
+TEST_CASE("a table of a spreadsheet: its separator in the first line, line breaks in heads, hard blanks") {
+  const TableRead named = read_csv("sep=;\nname;mass (t)\nA;2\n");
+  REQUIRE(named.errors == "");
+  CHECK(named.table->number(0, "mass") == 2000.0);
+  const TableRead broken = read_csv("name,\"mass\n(t)\"\nA,2\n");
+  REQUIRE(broken.errors == "");
+  CHECK(broken.table->number(0, "mass") == 2000.0);
+  CHECK(broken.table->at(0, "name").line == 3);
+  const TableRead hard = read_csv("name;mass\xc2\xa0[t]\nA;2\xc2\xa0\n");
+  REQUIRE(hard.errors == "");
+  CHECK(hard.table->number(0, "mass") == 2000.0);
+  CHECK(
+      read_csv("name,mass\nA,\"2\n").errors.starts_with("2:1: the line opens a quote that is never closed"));
+  CHECK(read_csv("mass;vx\nkg;m/s\n1;2\n").errors ==
+        "2:1: `kg` is a unit, expected it in the head of its column: `mass [kg]`\n"
+        "2:4: `m/s` is a unit, expected it in the head of its column: `vx [m/s]`\n");
+}
+
+TEST_CASE("a workbook and a text in UTF-16 are named") {
+  CHECK(read_csv("PK\x03\x04").errors.find("is a workbook (xlsx, xls, ods)") != std::string::npos);
+  CHECK(read_csv("\xff\xfem\x01").errors.find("is a text in UTF-16") != std::string::npos);
+}
+
+TEST_CASE("a head that goes on with no unit is an error, and `columns` is the way out") {
+  CHECK(read_csv("mass_kg,vx_mean\n1,2\n").errors ==
+        "1:9: `vx_mean` begins as `vx` does, but `mean` is no unit like m/s: expected `vx [m/s]`, or another "
+        "name; `columns: { vx: HEAD }` says which head it is\n");
+  CHECK(read_csv("mass_kg,vx_mean\n1,2\n", {{"vx", "vx_mean"}}).errors == "");
+}
+
+TEST_CASE("what was read is summed up in a line") {
+  const TableRead file = read_csv("name,mass (t),time_ms,colour,vx\nA,1.5,0,x,\nB,3,34,y,\n");
+  REQUIRE(file.errors == "");
+  CHECK(file.table->summary() == "2 rows; mass 1.5 to 3 t, time 0 to 34 ms, vx empty; not read: `colour`");
+  CHECK(read_csv("mass,charg_kg_per_m\n1,2\n").table->summary() ==
+        "1 row; mass 1 kg; not read: `charg_kg_per_m`, did you mean `charge`?");
+}

@@ -46,6 +46,22 @@ TEST_CASE("a place lies inside of a polygon that bends inwards") {
   CHECK_FALSE(is_inside(bent, {5, 1}));
 }
 
+TEST_CASE("polygons that overlap are one region, and only their inner rings are holes") {
+  const auto square = [](double low, double high) {
+    return std::vector<Vec2>{{low, low}, {high, low}, {high, high}, {low, high}};
+  };
+  const std::vector<PlanPolygon> twice = {{square(0, 4), {}}, {square(0, 4), {}}, {square(2, 6), {}}};
+  CHECK(is_inside(twice, {1, 1}));
+  CHECK(is_inside(twice, {3, 3}));
+  CHECK(is_inside(twice, {5, 5}));
+  CHECK_FALSE(is_inside(twice, {5, 1}));
+  const std::vector<PlanPolygon> holed = {{square(0, 6), {square(1, 3), square(2, 4)}}, {square(2, 3), {}}};
+  CHECK(is_inside(holed, {0.5, 0.5}));
+  CHECK_FALSE(is_inside(holed, {1.5, 1.5}));
+  CHECK(is_inside(holed, {2.5, 2.5}));  // of the second polygon
+  CHECK_FALSE(is_inside(holed, {3.5, 3.5}));
+}
+
 TEST_CASE("an outline that is no simple polygon says why") {
   CHECK(polygon_fault({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}).empty());
   CHECK(polygon_fault({{0, 0}, {4, 0}}) == "a polygon has 2 corners, at least 3 are needed");
