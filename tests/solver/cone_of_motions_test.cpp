@@ -55,10 +55,6 @@ Wedge wedge(const Vec3& first, const Vec3& second, const Vec3& face, double heig
   return {};
 }
 
-}  // namespace cone_of_motions_test
-
-using namespace cone_of_motions_test;
-
 TEST_CASE("the factor of a wedge without cohesion is that of Hoek and Bray") {
   struct Case {
     double dip_1, direction_1, dip_2, direction_2, phi, factor;
@@ -199,3 +195,5 @@ TEST_CASE("the motion of random blocks is that of a search through all sets of a
   CHECK(faults == 0);
   CHECK(std::min({falls, plane, wedges, none}) > 50);
 }
+
+}  // namespace cone_of_motions_test

@@ -89,10 +89,6 @@ double open_area(const CutBlocks<D>& rock, const Block<D>& block) {
   return sum.norm();
 }
 
-}  // namespace cut_blocks_test
-
-using namespace cut_blocks_test;
-
 TEST_CASE("three upright sets cut a box into the bricks of the closed form") {
   CutBlocks<3> rock = box({12, 10, 8});
   const Vec3 through(0.3, 0.4, 0.5);
@@ -247,3 +243,5 @@ TEST_CASE("random regions and sets: blocks close, are convex, fill the region, a
   }
   CHECK(faults == 0);
 }
+
+}  // namespace cut_blocks_test

@@ -70,10 +70,6 @@ int triple_points(const std::vector<Joint<3>>& planes, double side) {
   return count;
 }
 
-}  // namespace joint_network_test
-
-using namespace joint_network_test;
-
 TEST_CASE("directions have the moments of Fisher and of von Mises") {
   struct Case {
     double k, cosine, square, median, p95;
@@ -280,3 +276,5 @@ TEST_CASE("two thousand blocks are cut in well under two seconds") {
       cut_by(rock, joint, set, rng);
   CHECK(rock.blocks().size() > 1000);
 }
+
+}  // namespace joint_network_test

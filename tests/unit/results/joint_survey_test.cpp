@@ -96,10 +96,6 @@ void check(const Coverage& c) {
   }
 }
 
-}  // namespace joint_survey_test
-
-using namespace joint_survey_test;
-
 TEST_CASE("200 surveys of 500 planes give the right number of sets, and intervals that hold", "[heavy]") {
   check(coverage_of(200, 500));
   WARN("at 55 planes: " << text_of(coverage_of(200, 55)));
@@ -172,3 +168,5 @@ TEST_CASE("a scanline counts planes by Terzaghi, leaves out its blind zone, and 
   CHECK(survey.sets[0].spacing->value == Approx(1).epsilon(1e-3));
   CHECK(survey.sets[1].spacing->value == Approx(2).epsilon(1e-3));
 }
+
+}  // namespace joint_survey_test
