@@ -13,9 +13,9 @@ namespace {
 constexpr double most_k = 2000;    // a scatter of 1.3 degrees, below that of a compass
 constexpr double least_k = 3;      // a set that is wider says nothing else than the rest
 constexpr double least_poles = 3;  // of a set
-constexpr int starts = 6;
-constexpr int most_steps = 200;
-constexpr double still = 1e-7;  // change of the log likelihood a pole
+constexpr int em_starts = 6;
+constexpr int most_em_steps = 200;
+constexpr double em_still = 1e-7;  // change of the log likelihood a pole
 constexpr double uniform_density = 1 / (4 * pi);
 
 double density(const FisherSet& set, double cosine) {
@@ -85,7 +85,7 @@ SetMixture climb(const Poles& poles, SetMixture mixture, int steps) {
   const double all = sum_of(poles.weights);
   for (int n = 0; n < steps; ++n) {
     mixture.log_likelihood = step(poles, mixture);
-    if (mixture.log_likelihood - last < still * all) break;
+    if (mixture.log_likelihood - last < em_still * all) break;
     last = mixture.log_likelihood;
   }
   const double parameters = 4.0 * static_cast<double>(mixture.sets.size());
@@ -122,7 +122,7 @@ bool is_sound(const Poles& poles, const SetMixture& mixture) {
 SetMixture fit_sets(const Poles& poles, int sets, std::uint64_t seed) {
   constexpr int first_steps = 25;
   std::optional<SetMixture> best;
-  for (int start = 0; start < starts; ++start) {
+  for (int start = 0; start < em_starts; ++start) {
     RandomStream rng(seed, "joints.start",
                      {.trial = static_cast<std::uint64_t>(start), .rock = static_cast<std::uint64_t>(sets)});
     const SetMixture found = climb(poles, random_start(poles, sets, rng), first_steps);
@@ -130,7 +130,7 @@ SetMixture fit_sets(const Poles& poles, int sets, std::uint64_t seed) {
                      std::pair(is_sound(poles, *best), best->log_likelihood))
       best = found;
   }
-  SetMixture mixture = climb(poles, *best, most_steps);
+  SetMixture mixture = climb(poles, *best, most_em_steps);
   std::stable_sort(mixture.sets.begin(), mixture.sets.end(),
                    [](const FisherSet& a, const FisherSet& b) { return a.share > b.share; });
   return mixture;

@@ -14,9 +14,9 @@ namespace flyrock {
 
 namespace {
 
-constexpr int draws = 400;  // of the bootstrap
+constexpr int bootstrap_draws = 400;  // of the bootstrap
 constexpr int most_sets = 6;
-constexpr double tail = 0.025;
+constexpr double bootstrap_tail = 0.025;
 
 double sine_to_line(const Vec3& pole, const Vec3& line) { return std::abs(pole.dot(line)); }
 
@@ -31,7 +31,7 @@ double quantile(std::vector<double>& numbers, double share) {
 
 Estimate estimate(double value, std::vector<double> again) {
   if (again.empty()) return {value, value, value};
-  return {value, quantile(again, tail), quantile(again, 1 - tail)};
+  return {value, quantile(again, bootstrap_tail), quantile(again, 1 - bootstrap_tail)};
 }
 
 /// How often each of n planes is drawn in draw `number` of the bootstrap.
@@ -102,7 +102,7 @@ std::optional<Estimate> spacing_of(const std::vector<double>& gaps, std::uint64_
   constexpr std::size_t least_gaps = 2;
   if (gaps.size() < least_gaps) return std::nullopt;
   std::vector<double> again;
-  for (int draw = 0; draw < draws; ++draw) {
+  for (int draw = 0; draw < bootstrap_draws; ++draw) {
     const std::vector<double> counts =
         counts_of_draw(gaps.size(), seed + 1 + static_cast<std::uint64_t>(set), draw);
     double sum = 0;
@@ -158,7 +158,7 @@ JointSurvey survey_of(const std::vector<SurveyedPlane>& planes, const SurveyOpti
   std::vector<Again> again(sets);
   std::vector<double> rest;
   std::array<std::vector<double>, 3> hazards;
-  for (int draw = 0; draw < draws; ++draw) {
+  for (int draw = 0; draw < bootstrap_draws; ++draw) {
     Poles drawn = survey.poles;
     const std::vector<double> counts = counts_of_draw(used.size(), options.seed, draw);
     for (std::size_t i = 0; i < used.size(); ++i) drawn.weights[i] *= counts[i];
@@ -178,7 +178,7 @@ JointSurvey survey_of(const std::vector<SurveyedPlane>& planes, const SurveyOpti
     SurveyedSet& set = survey.sets.emplace_back();
     set.fit = survey.mixture.sets[s];
     std::tie(set.dip, set.direction) = dip_of(set.fit.mean);
-    set.cone = quantile(again[s].angles, 1 - 2 * tail);
+    set.cone = quantile(again[s].angles, 1 - 2 * bootstrap_tail);
     set.k = estimate(set.fit.k, again[s].k);
     set.share = estimate(set.fit.share, again[s].shares);
     set.planes =
