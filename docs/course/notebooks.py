@@ -94,6 +94,10 @@ path.pivot_table(index="time_s", columns="group", values="y_m").interpolate().pl
 axes = rocks.runout_m.plot.hist(bins=60)
 axes.axvline(rocks.runout_m.quantile(0.95), color="C3")
 axes.set_xlabel("runout in m");"""),
+    "what_matters": (
+        "The distance over the angle: as far at 30 as at 60 degrees.",
+        """rocks = table("SELECT value * 180 / 3.14159265 AS angle, runout_m FROM inputs JOIN rocks USING (point, trial, rock) WHERE path LIKE '%elevation'")
+rocks.plot.scatter("angle", "runout_m", s=2, xlabel="angle in degrees", ylabel="runout in m");"""),
 }
 
 SETTING = """import os, sqlite3

@@ -157,7 +157,8 @@ class TrialRunner::Trials : public OfDimension {
   void decide(const World<D>& world, double mass, const BodyHistory& history, RockRecord& row);
   /// Adds a rock to the maps.
   void map(const TrialRock& rock, const BodyHistory& history, PlanCells& cells, TrialRecords& out) const;
-  void record_inputs(std::uint64_t trial, int index, const TrialRock& rock, TrialRecords& out) const;
+  void record_inputs(std::uint64_t trial, int index, const TrialRock& rock, TrialRecords& out);
+  void record_derived(std::uint64_t trial, int index, const TrialRock& rock, TrialRecords& out);
   void record_impact_draws(std::uint64_t trial, int index, const TrialRock& rock, const World<D>& world,
                            const WorldLaws& laws, const BodyHistory& history, TrialRecords& out) const;
 
@@ -171,6 +172,9 @@ class TrialRunner::Trials : public OfDimension {
   DecidedLines<D> decided_gates_, decided_barriers_;
   std::shared_ptr<const Forest> forest_;  ///< null: no trees
   RunForest run_forest_;
+  std::vector<Derived> derived_;     ///< numbers of the blast that differ between rocks
+  std::vector<double> hole_delays_;  ///< of the trial, if one of these needs them
+  std::uint64_t trial_of_delays_ = 0;
   std::vector<std::vector<int>> impact_draws_;  ///< of each material, those `per: impact`
   PlanGrid map_grid_;                           ///< of maps; empty: none are made
   double bin_width_ = 0;  ///< m, bin width of envelopes; 0 for `bodies` and on terrain without ends
@@ -199,6 +203,8 @@ TrialRunner::Trials<D>::Trials(const Scenario& scenario) : scenario_(scenario), 
       for (const Number& slot : *law ? (*law)->slots : std::vector<Number>())
         if (is_drawn_per_impact(slot)) draws.push_back(slot.draw);
   }
+  for (std::size_t d = 0; d < derived_count; ++d)
+    if (const auto derived = static_cast<Derived>(d); differs(scenario, derived)) derived_.push_back(derived);
   const Vec3& origin = scenario.terrain.origin;
   for (const GatePlan& gate : scenario.gates) gates_.push_back({line_of(gate, origin)});
   for (const BarrierPlan& barrier : scenario.barriers)
@@ -221,7 +227,7 @@ void TrialRunner::Trials<D>::plant(const ForestPlan& plan) {
                      .factor = plan.factor,
                      .turn = plan.turn.constant,
                      .turn_draw = plan.turn.is_constant() ? nullptr : &plan.draws.at(plan.turn.draw),
-                     .seed = scenario_.seed};
+                     .streams = &scenario_.streams};
 }
 
 template <int D>
@@ -272,6 +278,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   settings.barriers = barriers_;
   settings.forest = run_forest_;
   settings.interrupted = interrupted;
+  settings.watch = watch;
   settings.keep_impacts = (scenario_.output.impacts && has_rows(number)) || !scenario_.bodies.empty();
 
   const bool timed = number % timed_every == 0;
@@ -469,19 +476,49 @@ void TrialRunner::Trials<D>::map(const TrialRock& rock, const BodyHistory& histo
 /// what plugins drew for it.
 template <int D>
 void TrialRunner::Trials<D>::record_inputs(std::uint64_t trial, int index, const TrialRock& rock,
-                                           TrialRecords& out) const {
+                                           TrialRecords& out) {
   if (!has_rows(trial)) return;
   for (std::size_t d = 0; d < scenario_.draws.size(); ++d) {
     const Draw* of_branch = draw_of_branch(d, rock.branch);
     if (!of_branch) continue;  // the branch has a constant in its place
     const Draw& draw = *of_branch;
     if (draw.scope == Scope::impact || (draw.group >= 0 && draw.group != rock.group)) continue;
-    out.inputs.push_back({trial, index, static_cast<int>(d), 0, draw.value(scenario_.seed, rock.key)});
+    out.inputs.push_back({trial, index, static_cast<int>(d), 0, draw.value(scenario_.streams, rock.key)});
   }
   for (std::size_t i = 0; i < outcome_infos.size(); ++i) {
     const auto outcome = static_cast<Outcome>(i);
     if (const double value = rock.outcomes[outcome]; !std::isnan(value))
       out.inputs.push_back({trial, index, index_of(outcome, scenario_), 0, value});
+  }
+  if (!derived_.empty()) record_derived(trial, index, rock, out);
+}
+
+/// Records the derived numbers of the hole of a rock.
+template <int D>
+void TrialRunner::Trials<D>::record_derived(std::uint64_t trial, int index, const TrialRock& rock,
+                                            TrialRecords& out) {
+  const Scenario& own =
+      rock.branch == 0 ? scenario_ : *scenario_.branches[static_cast<std::size_t>(rock.branch) - 1].scenario;
+  const Pattern& pattern = own.blast->pattern;
+  const int hole = hole_of(rock.key);
+  if (hole_delays_.empty() || (own.blast->time_scatter && trial_of_delays_ != trial)) {
+    std::vector<double> times;
+    DrawKey key = {.trial = trial};
+    for (int h = 0; h < pattern.holes(); ++h) {
+      key.hole = static_cast<std::uint64_t>(h) + 1;
+      times.push_back(time_of_hole(own, key));
+    }
+    hole_delays_ = delays_in_rows(pattern, times);
+    trial_of_delays_ = trial;
+  }
+  try {
+    const DerivedNumbers numbers =
+        derived_numbers(blast_at(own, rock.key), pattern, hole, hole_delays_[static_cast<std::size_t>(hole)]);
+    for (const Derived derived : derived_)
+      if (const double value = numbers[static_cast<std::size_t>(derived)]; !std::isnan(value))
+        out.inputs.push_back({trial, index, index_of(derived, scenario_), 0, value});
+  } catch (const ScenarioError&) {
+    // The rock failed for this reason.
   }
 }
 
@@ -500,7 +537,7 @@ void TrialRunner::Trials<D>::record_impact_draws(std::uint64_t trial, int index,
     key.impact = static_cast<std::uint64_t>(impact.number);
     for (const int draw : impact_draws_[static_cast<std::size_t>(material)])
       out.inputs.push_back({trial, index, draw, impact.number,
-                            scenario_.draws[static_cast<std::size_t>(draw)].value(scenario_.seed, key)});
+                            scenario_.draws[static_cast<std::size_t>(draw)].value(scenario_.streams, key)});
     const auto& roughness = scenario_.materials[static_cast<std::size_t>(material)].roughness;
     if (scenario_.method == Method::lumped_mass && roughness && is_drawn_per_impact(*roughness))
       for (int axis = 0; axis < D - 1; ++axis)

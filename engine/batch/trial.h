@@ -24,6 +24,9 @@ class TrialRunner {
   /// Trials throw Interrupted as soon as `interrupted` returns true.
   void stop_when(bool (*interrupted)()) { of_dimension_->interrupted = interrupted; }
 
+  /// Where trials say how far they are.
+  void report_to(TrialWatch& watch) { of_dimension_->watch = &watch; }
+
   /// The folder for problems that did not converge, if output.hard_problems asks for them: at most ten for
   /// each trial, as trial-<t>-<n>.hdf5. The folder is made when it is needed.
   void keep_hard_problems(const std::filesystem::path& folder) { of_dimension_->hard_problems = folder; }
@@ -39,6 +42,7 @@ class TrialRunner {
     std::filesystem::path hard_problems;  ///< empty: none are kept
     bool (*interrupted)() = [] { return false; };
     Explainer* explainer = nullptr;
+    TrialWatch* watch = nullptr;
     virtual ~OfDimension() = default;
     virtual void run(std::uint64_t trial, TrialRecords& out) = 0;
     virtual TerrainPicture picture_of(std::uint64_t trial) = 0;

@@ -210,7 +210,7 @@ class StoredEvaluations {
   /// A misfit above that of any model [m].
   static constexpr double lost_everything = 1e9;
 
-  std::uint64_t seed() const { return base_.plan.points.front().seed; }
+  std::uint64_t seed() const { return base_.plan.points.front().streams.seed; }
 
   /// All trials of the rows of the fit at a point, and what was measured of these.
   std::pair<MisfitPool, std::vector<Vec2>> fitted_at(const LatticePoint& at) {
@@ -350,13 +350,13 @@ int carry_out_calibration(const CalibrationJob& job, const LoadedScenario& base,
     model.scenario_hash = base.hash;
     model.observed = *scenario.observed;
     model.trials = scenario.trials;
-    model.seed = scenario.seed;
+    model.seed = scenario.streams.seed;
     const CalibratedModel calibrated{
         .evaluate = [&](const LatticePoint& at) { return evaluations.evaluate(at); },
         .draws = [&](const LatticePoint& at) { return evaluations.draws(at); }};
     model.calibration = flyrock::calibrate(job.varied.size(), calibrated, job.search_evaluations);
-    model.fitted =
-        compare(model.observed, evaluations.rows_at(model.calibration.best.at), sets.fitted, scenario.seed);
+    model.fitted = compare(model.observed, evaluations.rows_at(model.calibration.best.at), sets.fitted,
+                           scenario.streams.seed);
     judge_held(job, base, sets, evaluations, model);
   } catch (const Interrupted&) {
     tell("interrupted after {} points, which are kept in {}; the same command goes on\n", evaluations.done(),

@@ -446,7 +446,11 @@ Json DocumentSchema::document() {
   plain("solver");
   add("stop", true, [&] { return section("stop").object(); });
   add("output", false, [&] { return output(); });
-  plain("sweep");
+  add("sweep", false, [&] {
+    Keys of_sweep = section("sweep");
+    of_sweep.add("rows", array_of({{"type", "object"}}));
+    return of_sweep.object();
+  });
   add("expect", false, [&] { return expect(); });
   add("answer", false, [&] { return answer(); });
 

@@ -10,6 +10,7 @@
 #include "batch/plan_chunks.h"
 #include "batch/record_check.h"
 #include "batch/safe_file.h"
+#include "cli/analysis.h"
 #include "cli/conclude.h"
 #include "cli/loading.h"
 #include "cli/result_folder.h"
@@ -122,13 +123,16 @@ void tell_missing(const std::vector<ChunkRange>& chunks, const std::vector<Piece
 
 /// Reads every chunk once before anything is written. Throws InputError.
 void check_whole(const std::vector<ChunkFile>& files, const LoadedScenario& scenario) {
+  // All runs of a sensitivity analysis have the scenario of the only point.
+  const auto scenario_of = [&](int point) -> const Scenario& {
+    const std::vector<Scenario>& points = scenario.plan.points;
+    return points[std::min(static_cast<std::size_t>(point), points.size() - 1)];
+  };
   for (const ChunkFile& file : files) {
     std::string why;
     const std::optional<TrialRecords> records =
         read_chunk(file.path(), file.range, scenario.hash, Part::whole, why);
-    if (records)
-      why = records_fault(*records, file.range,
-                          scenario.plan.points[static_cast<std::size_t>(file.range.point)]);
+    if (records) why = records_fault(*records, file.range, scenario_of(file.range.point));
     if (!why.empty())
       throw InputError(fmt::format("{} is not what a run wrote: {}; run its shard again with --resume",
                                    file.path().string(), why));
@@ -144,7 +148,9 @@ std::string missing_text(const std::vector<ChunkRange>& chunks, const std::vecto
                      chunks.size() - files.size(), chunks.size(), chunks[first].first, chunks[first].point);
 }
 
-std::optional<LoadedScenario> load_again(const CommandLine& line, const std::string& hash, Request& request) {
+/// Of shards of `flyrock sensitivity` also what they were asked.
+std::optional<LoadedScenario> load_again(const CommandLine& line, const std::string& hash, Request& request,
+                                         std::optional<Analysis>& analysis) {
   const std::string& shard = line.words.front();
   request = read_request(fs::path(shard) / "chunks");
   request.shard = {};
@@ -154,6 +160,7 @@ std::optional<LoadedScenario> load_again(const CommandLine& line, const std::str
     throw UsageError(fmt::format("the scenario of {}, {}, is not here; name it with --scenario FILE", shard,
                                  request.scenario));
   std::optional<LoadedScenario> loaded = load(request.scenario, request.overrides, false);
+  if (loaded && request.analysis) analysis = make_analysis(*loaded, *request.analysis);
   if (loaded && loaded->hash != hash)
     throw UsageError(
         fmt::format("{}, its plugins or flyrock have changed since {} was run", request.scenario, shard));
@@ -186,10 +193,11 @@ int merge(const Command& command, const Arguments& arguments) {
 
   const std::string hash = common_hash(shards);
   Request request;
-  std::optional<LoadedScenario> loaded = load_again(line, hash, request);
+  std::optional<Analysis> analysis;
+  std::optional<LoadedScenario> loaded = load_again(line, hash, request, analysis);
   if (!loaded) return bad_input;
   const Plan& plan = loaded->plan;
-  const std::vector<ChunkRange> chunks = plan_chunks(plan);
+  const std::vector<ChunkRange> chunks = analysis ? analysis->chunks : plan_chunks(plan);
   std::vector<Piece> pieces = pieces_of(shards);
   const std::vector<ChunkFile> files = find_chunks(chunks, pieces);
   std::vector<ChunkRange> found;
@@ -199,6 +207,18 @@ int merge(const Command& command, const Arguments& arguments) {
 
   ResultFolder folder(line.text("output"), *loaded,
                       line.has("force") ? Existing::replaced : Existing::refused);
+  if (analysis) {
+    if (files.size() != chunks.size()) {
+      tell_missing(chunks, pieces, request, "error");
+      tell("error: a sensitivity analysis needs all of its chunks\n");
+      return faults;
+    }
+    const ExplainedVariance explained = explain(*loaded, *analysis, files);
+    folder.open(*loaded, request);
+    write_analysis(explained, folder.path(), line.has("quiet"));
+    folder.tidy();
+    return exit_code(explained);
+  }
   std::optional<Runners> runners = try_runners(*loaded, tried_trials);
   if (!runners) return bad_input;
   folder.open(*loaded, request);

@@ -26,6 +26,12 @@ void write_request(const std::filesystem::path& chunks, const Request& request) 
                {"arguments", request.overrides.arguments}};
   if (request.overrides.seed) data["seed"] = *request.overrides.seed;
   if (request.overrides.trials) data["trials"] = *request.overrides.trials;
+  if (const auto& analysis = request.analysis)
+    data["sensitivity"] = {{"of", analysis->of},
+                           {"inputs", analysis->inputs},
+                           {"group", analysis->groups},
+                           {"line", analysis->line},
+                           {"runs", analysis->runs}};
   data["shard"] = {request.shard.number, request.shard.of};
   write_file(file_in(chunks), data.dump(2) + '\n');
 }
@@ -43,6 +49,15 @@ Request read_request(const std::filesystem::path& chunks) {
     if (data.contains("seed")) request.overrides.seed = data["seed"].get<std::uint64_t>();
     if (data.contains("trials")) request.overrides.trials = data["trials"].get<std::uint64_t>();
     if (data.contains("arguments")) data["arguments"].get_to(request.overrides.arguments);
+    if (data.contains("sensitivity")) {
+      const Json& words = data["sensitivity"];
+      request.analysis = AnalysisRequest{.of = words.at("of").get<std::vector<std::string>>(),
+                                         .groups = words.at("group").get<std::vector<std::string>>(),
+                                         .inputs = words.at("inputs"),
+                                         .line = words.at("line"),
+                                         .runs = words.at("runs")};
+      if (request.analysis->runs < 3) fail(file);  // two bases and everything else
+    }
     return request;
   } catch (const Json::exception&) {
     fail(file);

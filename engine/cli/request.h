@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "scenario/decode.h"
 
@@ -19,10 +21,18 @@ struct Shard {
   bool holds(std::size_t chunk) const { return chunk % of == number - 1; }
 };
 
+/// What `flyrock sensitivity` is asked, as it was written.
+struct AnalysisRequest {
+  std::vector<std::string> of, groups;  ///< each --of and --group
+  std::string inputs, line;             ///< empty: not given
+  int runs = 0;                         ///< the points of its chunks
+};
+
 struct Request {
   std::string scenario;  ///< path
   Overrides overrides;
-  Shard shard;  ///< all chunks, unless --shard is given
+  Shard shard = {};                              ///< all chunks, unless --shard is given
+  std::optional<AnalysisRequest> analysis = {};  ///< of `flyrock sensitivity`; absent: of `flyrock run`
 };
 
 /// Writes chunks/request.json, with the path made absolute. Throws FileError.

@@ -100,7 +100,9 @@ Execution execute(const Job& job, const LoadedScenario& loaded, Runners& runners
   RunLog& log = execution.log = start_log();
   log.threads = std::min(options.threads, static_cast<int>(chunks.size()));
   const auto start = std::chrono::steady_clock::now();
-  ProgressBar bar(!job.quiet, trials_in(chunks));
+  TrialWatch watch;  // of the first thread
+  for (const auto& runner : runners) runner->report_to(watch);
+  ProgressBar bar(!job.quiet, trials_in(chunks), &watch);
   options.report = [&](const RunProgress& progress) { bar.show(progress); };
   options.print = [&](const std::vector<std::string>& lines) { bar.write(lines); };
   if (writer) options.see = [&](int point, const TrialRecords& chunk) { writer->add(point, chunk); };
@@ -193,8 +195,7 @@ int carry_out(const Job& job, const LoadedScenario& loaded, Runners& runners, co
   if (!job.shard) writer.emplace(folder.path(), loaded);
   const auto [outcome, log] = execute(job, loaded, runners, folder, writer);
   if (outcome.ending == RunEnding::interrupted) {
-    tell("interrupted after {} of {} trials; what was done is kept in {}, --resume goes on\n",
-         trials_in(outcome.chunks), outcome.progress.total, folder.chunks().string());
+    tell_interrupted(trials_in(outcome.chunks), outcome.progress.total, folder.chunks().string());
     return interrupted;
   }
   if (job.shard) return conclude_shard(outcome, *job.shard, folder.chunks(), job.quiet);

@@ -28,9 +28,24 @@ std::string override_words(const Overrides& overrides) {
   return words;
 }
 
+namespace {
+
+std::string analysis_words(const AnalysisRequest& analysis) {
+  std::string words;
+  for (const std::string& of : analysis.of) words += " --of " + shell_word(of);
+  if (!analysis.inputs.empty()) words += " --inputs " + shell_word(analysis.inputs);
+  for (const std::string& group : analysis.groups) words += " --group " + shell_word(group);
+  if (!analysis.line.empty()) words += " --line " + shell_word(analysis.line);
+  return words;
+}
+
+}  // namespace
+
 std::string command_of(const Request& request, const Shard& shard) {
   const std::string near = std::filesystem::proximate(request.scenario).string();
-  std::string command = "flyrock run " + shell_word(near.starts_with("..") ? request.scenario : near);
+  std::string command = request.analysis ? "flyrock sensitivity " : "flyrock run ";
+  command += shell_word(near.starts_with("..") ? request.scenario : near);
+  if (request.analysis) command += analysis_words(*request.analysis);
   command += override_words(request.overrides);
   if (shard.of > 1) command += fmt::format(" --shard {}/{}", shard.number, shard.of);
   return command;

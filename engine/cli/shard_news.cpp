@@ -153,7 +153,8 @@ RunNews read_news(const fs::path& folder) {
     throw InputError(fmt::format("{} is one of {} shards, expected at most {:.0e}", folders.front().string(),
                                  of, most_shards));
   const std::vector<ChunkRange> plan =
-      plan_chunks(extent.points, extent.trials, extent.chunk_size, extent.runs);
+      plan_chunks(news.request.analysis ? news.request.analysis->runs : extent.points, extent.trials,
+                  extent.chunk_size, extent.runs);
   std::vector<std::optional<fs::path>> folder_of(of);
   for (const fs::path& one : folders) {
     const Shard shard = read_request(one / "chunks").shard;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "cli/not_used_line.h"
@@ -10,6 +11,7 @@
 #include "math/space.h"
 #include "results/answer.h"
 #include "results/answer_shares.h"
+#include "results/farthest_group.h"
 #include "results/fault_line.h"
 #include "results/lost.h"
 #include "results/weights.h"
@@ -193,10 +195,7 @@ constexpr std::size_t most_point_lines = 28;
 std::string brief_points_text(const Plan& plan, const Results& results) {
   const std::size_t runout = rock_statistic("runout");
   const std::vector<GroupSummary>& groups = results.points.front().groups;
-  std::size_t farthest = groups.size() > 1 ? 1 : 0;
-  for (std::size_t g = 1; g < groups.size(); ++g)
-    if (groups[g].at(runout, Statistic::p95).value > groups[farthest].at(runout, Statistic::p95).value)
-      farthest = g;
+  const std::size_t farthest = farthest_group(groups);
   std::string text =
       fmt::format("p95 of the {} of {}\n", plan.all_end_at_landing() ? "first landing" : "runout",
                   row_name(groups[farthest]));
@@ -217,6 +216,40 @@ std::string brief_points_text(const Plan& plan, const Results& results) {
   return text;
 }
 
+/// The questions of a permit, a row each, in columns that are as wide as their texts; without empty columns.
+std::string questions_text(const std::vector<Question>& questions) {
+  if (questions.empty()) return {};
+  using Row = std::array<std::string, question_heads.size()>;
+  std::vector<Row> rows(1);
+  std::copy(question_heads.begin(), question_heads.end(), rows.front().begin());
+  for (const Question& q : questions)
+    rows.push_back({q.asks, q.per_blast, q.interval, q.per_year, q.limit, q.verdict});
+  std::array<std::size_t, question_heads.size()> widths{};
+  for (std::size_t column = 0; column < widths.size(); ++column) {
+    const auto is_empty = [&](const Row& row) { return row[column].empty(); };
+    if (std::all_of(rows.begin() + 1, rows.end(), is_empty)) continue;
+    for (const Row& row : rows) widths[column] = std::max(widths[column], row[column].size());
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t column = 0; column < widths.size(); ++column)
+      if (widths[column] > 0)
+        line += fmt::format("  {:<{}}", row[column].empty() ? "-" : row[column], widths[column]);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+  }
+  return text + '\n';
+}
+
+/// The answer: with a table of questions without the distances of the rocks, which follow in a table.
+std::string answer_text(const Plan& plan, const Results& results) {
+  const AnswerTexts texts = answer_texts(plan, results);
+  if (texts.first.empty()) return texts.rest() + "\n\n";
+  if (texts.questions.empty()) return texts.first + "\n" + texts.rest() + "\n\n";
+  const std::string rest = texts.beside_table();
+  return texts.first + "\n\n" + questions_text(texts.questions) + (rest.empty() ? "" : rest + "\n\n");
+}
+
 }  // namespace
 
 std::string summary_text(const Plan& plan, const Results& results, const std::vector<std::string>& told) {
@@ -224,7 +257,7 @@ std::string summary_text(const Plan& plan, const Results& results, const std::ve
   std::string text = fault_line(plan, results);
   if (!text.empty()) text = bold(text) + "\n\n";
   text += bold(plan.points.front().title.empty() ? "flyrock" : plan.points.front().title) + '\n';
-  text += answer(plan, results) + "\n\n" + short_points_text(plan, results);
+  text += answer_text(plan, results) + short_points_text(plan, results);
   if (plan.points.front().bodies.empty()) {
     std::string points = points_text(plan, results);
     if (sweep && std::count(points.begin(), points.end(), '\n') > most_lines)

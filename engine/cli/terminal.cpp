@@ -30,7 +30,8 @@ void write_to_stderr(const std::string& text) {
   std::fflush(stderr);
 }
 
-std::string progress_text(const RunProgress& progress, double since_start, double since_last_trial) {
+std::string progress_text(const RunProgress& progress, double since_start, double since_last_trial,
+                          const TrialWatch* trial) {
   constexpr double long_trial = 2;  // s
   const double share = static_cast<double>(progress.done) / static_cast<double>(progress.total);
   const auto filled = static_cast<std::size_t>(30 * share);
@@ -42,13 +43,17 @@ std::string progress_text(const RunProgress& progress, double since_start, doubl
     text += fmt::format(", {:.0f} rocks/s, {} left", static_cast<double>(progress.rocks) / since_start,
                         clock_time(left));
   }
-  if (since_last_trial >= long_trial)
-    text += fmt::format(", this trial for {} by now", clock_time(since_last_trial));
+  if (since_last_trial < long_trial) return text;
+  text += fmt::format(", this trial for {} by now", clock_time(since_last_trial));
+  if (trial && trial->time > 0 && trial->bodies > 1)
+    text +=
+        fmt::format(", t = {:.3g} of {:.3g} s, {} of {} move, step {:.2g} ms", trial->time.load(),
+                    trial->stop_time.load(), trial->moving.load(), trial->bodies.load(), 1e3 * trial->step);
   return text;
 }
 
-ProgressBar::ProgressBar(bool wanted, std::uint64_t trials)
-    : visible_(wanted), bar_(::isatty(STDERR_FILENO) != 0) {
+ProgressBar::ProgressBar(bool wanted, std::uint64_t trials, const TrialWatch* trial)
+    : trial_(trial), visible_(wanted), bar_(::isatty(STDERR_FILENO) != 0) {
   progress_.total = trials;
   if (!bar_) drawn_ = start_;
   if (visible_) watcher_ = std::jthread([this](std::stop_token stop) { watch(std::move(stop)); });
@@ -92,12 +97,21 @@ void ProgressBar::draw(Clock::time_point now) {
   };
   drawn_ = now;
   tenths_ = tenths_of(progress_);
-  const std::string text = progress_text(progress_, seconds(start_), seconds(last_trial_));
+  const std::string text = progress_text(progress_, seconds(start_), seconds(last_trial_), trial_);
   write_to_stderr(bar_ ? fmt::format("\r{}\033[K", text) : text + '\n');
 }
 
 void ProgressBar::write(const std::vector<std::string>& lines) const {
   for (const std::string& line : lines) tell("{}{}\n", visible_ && bar_ ? "\r\033[K" : "", line);
+}
+
+void tell_interrupted(std::uint64_t kept, std::uint64_t trials, const std::string& folder) {
+  if (kept == 0)
+    tell("interrupted after 0 of {} trials: none was complete, nothing is kept, --resume begins anew\n",
+         trials);
+  else
+    tell("interrupted after {} of {} trials; what was done is kept in {}, --resume goes on\n", kept, trials,
+         folder);
 }
 
 std::string bold(const std::string& text) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "batch/run.h"
+#include "record/trial_watch.h"
 
 namespace flyrock::cli {
 
@@ -30,7 +31,8 @@ void tell(fmt::format_string<Values...> text, Values&&... values) {
 /// second, and after a minute without one.
 class ProgressBar {
  public:
-  explicit ProgressBar(bool wanted, std::uint64_t trials);
+  /// `trial`: the one that is watched while it is long; null: none is.
+  ProgressBar(bool wanted, std::uint64_t trials, const TrialWatch* trial = nullptr);
   ~ProgressBar();  ///< clears the bar
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -45,6 +47,7 @@ class ProgressBar {
   bool is_due(Clock::time_point now) const;
   void draw(Clock::time_point now);
 
+  const TrialWatch* trial_;
   bool visible_, bar_;  ///< bar_: stderr is a terminal
   std::mutex mutex_;    ///< guards the members below
   RunProgress progress_;
@@ -54,9 +57,13 @@ class ProgressBar {
   std::jthread watcher_;  ///< last, because it reads the others
 };
 
-/// "[####......] 4 of 10 trials, 20 rocks/s, 0:07 left", and the duration of the present trial if it is long.
-/// Times in s.
-std::string progress_text(const RunProgress& progress, double since_start, double since_last_trial);
+/// "[####......] 4 of 10 trials, 20 rocks/s, 0:07 left", and how far the present trial is if it is long:
+/// "this trial for 0:05 by now, t = 2.3 of 60 s, 97 of 100 move, step 4 ms". Times in s.
+std::string progress_text(const RunProgress& progress, double since_start, double since_last_trial,
+                          const TrialWatch* trial);
+
+/// Says what an interrupted run has kept.
+void tell_interrupted(std::uint64_t kept, std::uint64_t trials, const std::string& folder);
 
 /// `text` in bold if stdout is a terminal and NO_COLOR is not set.
 std::string bold(const std::string& text);

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "record/trial_watch.h"
 #include "world/places.h"
 #include "world/tree_law.h"
 
@@ -19,6 +20,7 @@ struct AnyRun {
   std::span<const Gate> gates;
   std::span<const Barrier> barriers;
   RunForest forest;
+  TrialWatch* watch = nullptr;                   ///< null: nobody waits
   bool (*interrupted)() = [] { return false; };  ///< asked again and again; true: throw Interrupted
 };
 

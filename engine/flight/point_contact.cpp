@@ -10,12 +10,13 @@ namespace flyrock {
 namespace {
 
 /// The n-th value of a draw at a key, from 0.
-double value_of(const Draw& draw, std::uint64_t seed, const DrawKey& at, int n) {
-  if (n == 0) return draw.value(seed, at);
+double value_of(const Draw& draw, const Streams& streams, const DrawKey& at, int n) {
+  if (n == 0) return draw.value(streams, at);
   DrawKey key = at;
   if (draw.scope != Scope::impact) key.impact = 0;
   key.hole = 0;
-  return draw.quantile(uniform_at(seed, draw.stream_hash, key, static_cast<std::uint64_t>(n)));
+  return draw.quantile(
+      uniform_at(streams.seed_of(draw.stream_hash), draw.stream_hash, key, static_cast<std::uint64_t>(n)));
 }
 
 /// The direction along a face in which a point slips; any, if it does not.
@@ -67,7 +68,7 @@ typename PointContact<D>::Tilted PointContact<D>::tilted(const Face<D>& face, co
   const DrawKey& key = laws.key;  // of this impact
   for (int i = 0; i < most_draws; ++i) {
     const auto angle = [&](int n) {
-      return roughness.draw ? value_of(*roughness.draw, laws.seed, key, n) : roughness.constant;
+      return roughness.draw ? value_of(*roughness.draw, *laws.streams, key, n) : roughness.constant;
     };
     const double ahead = angle(2 * i);
     if (!(std::abs(ahead) < 0.5 * pi)) continue;

@@ -60,6 +60,7 @@ class Runner {
     world_.on_hit = [this] { hit(); };
     if (settings_.series) series_.emplace(world_, *settings_.series);
     const double energy = world_.total_energy();
+    world_.choose_density();
     bool in_contact = settings_.exact_flight && collide();
     while (anybody() && world_.time < settings_.stop_time) {
       if (settings_.interrupted()) throw Interrupted();
@@ -67,8 +68,9 @@ class Runner {
         diverge(progress_.fault());
         break;
       }
+      if (settings_.watch) report();
       const double before = world_.time;
-      const bool flies = settings_.exact_flight && !in_contact && !breathes_;
+      const bool flies = settings_.exact_flight && !in_contact && !breathes_ && !world_.is_dense();
       in_contact = flies ? fly() : step();
       look_for_jam();
       end_bodies();
@@ -114,6 +116,19 @@ class Runner {
   int bodies() const { return static_cast<int>(world_.bodies.size()); }
   bool anybody() const {
     return std::any_of(running_.begin(), running_.end(), [](bool r) { return r; });
+  }
+  /// Says how far the run is.
+  void report() {
+    constexpr int each = 16;  // steps
+    if (reported_++ % each != 0) return;
+    TrialWatch& watch = *settings_.watch;
+    watch.time = world_.time;
+    watch.stop_time = settings_.stop_time;
+    watch.step = world_.last_step();
+    watch.moving = static_cast<int>(std::count_if(running_.begin(), running_.end(), [&](const char& runs) {
+      return runs && !at_rest(static_cast<int>(&runs - running_.data()));
+    }));
+    watch.bodies = bodies();
   }
   bool at_rest(int i) const { return !std::isnan(histories_[i].stop_time); }
   double time_left() const { return settings_.stop_time - world_.time; }
@@ -484,6 +499,7 @@ class Runner {
   std::vector<std::pair<int, int>> part_pairs_;       ///< of two bodies near each other
   double blind_ = 0, blind_until_ = 0;                ///< s, the last step that ignored touches and its end
   int stalled_ = 0;
+  unsigned reported_ = 0;
 };
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <functional>
 
+#include "random/sampling.h"
+
 namespace flyrock {
 
 namespace {
@@ -280,7 +282,9 @@ double Distribution::share_below(double x) const {
 std::string_view name_of(DistributionKind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 std::string_view name_of(Scope scope) { return scope_names[static_cast<std::size_t>(scope)]; }
 
-double Draw::value(std::uint64_t seed, const DrawKey& key) const {
+double Draw::value(const Streams& streams, const DrawKey& key) const {
+  if (dimension >= 0 && streams.sampling != Sampling::random)
+    return quantile(sampled_at(streams, stream_hash, dimension, key.trial));
   DrawKey used;
   if (scope != Scope::run)
     used.trial = key.trial;
@@ -289,7 +293,7 @@ double Draw::value(std::uint64_t seed, const DrawKey& key) const {
   if (scope == Scope::hole) used.hole = key.hole;
   if (scope == Scope::rock || scope == Scope::impact) used.rock = key.rock;
   if (scope == Scope::impact) used.impact = key.impact;
-  return quantile(uniform_at(seed, stream_hash, used));
+  return quantile(uniform_at(streams.seed_of(stream_hash), stream_hash, used));
 }
 
 }  // namespace flyrock

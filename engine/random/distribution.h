@@ -83,6 +83,7 @@ struct Draw {
   std::string unit;   ///< SI, of the values: "m", "rad", "1"
   int group = -1;     ///< the group of rocks (or body) that it belongs to; -1: it belongs to the scenario
   std::uint64_t trials_of_run = 0;  ///< where a scenario makes several runs (`outer`); 0: all trials are one
+  int dimension = -1;  ///< of a sampling that is not random (random/sampling.h); -1: drawn at random
 
   /// The value at probability u in (0, 1), and the smallest and the greatest value.
   double quantile(double u) const { return factor * distribution.quantile(u); }
@@ -91,7 +92,7 @@ struct Draw {
   double likely_lowest() const { return factor * distribution.likely_lowest(); }
   double likely_highest() const { return factor * distribution.likely_highest(); }
   /// The value at `key`. Only the parts of the key that `scope` depends on are used.
-  double value(std::uint64_t seed, const DrawKey& key) const;
+  double value(const Streams& streams, const DrawKey& key) const;
 };
 
 /// A decoded number: a constant, or the index of a Draw in the scenario's list.
@@ -100,8 +101,8 @@ struct Number {
   int draw = -1;
 
   bool is_constant() const { return draw < 0; }
-  double value(const std::vector<Draw>& draws, std::uint64_t seed, const DrawKey& key) const {
-    return draw < 0 ? constant : draws[draw].value(seed, key);
+  double value(const std::vector<Draw>& draws, const Streams& streams, const DrawKey& key) const {
+    return draw < 0 ? constant : draws[draw].value(streams, key);
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <Random123/threefry.h>
 
+#include <algorithm>
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 
@@ -18,6 +19,10 @@ double uniform_at(std::uint64_t seed, std::uint64_t name_hash, const DrawKey& ke
   const r123::Threefry4x64::ctr_type counter{{key.trial, key.hole << 32 | key.rock, key.impact, n / 4}};
   const std::uint64_t bits = r123::Threefry4x64()(counter, k)[n % 4];
   return (static_cast<double>(bits >> 11) + 0.5) * 0x1p-53;  // open interval, never 0 or 1
+}
+
+bool Exchange::holds(std::uint64_t name_hash) const {
+  return std::binary_search(names.begin(), names.end(), name_hash) != all_but;
 }
 
 double RandomStream::normal() { return std::sqrt(2.0) * boost::math::erf_inv(2 * uniform() - 1); }

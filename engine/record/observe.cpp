@@ -67,6 +67,8 @@ void SolverQuality::add(const SolverQuality& other) {
   least_step = std::min(least_step, other.least_step);
   energy_gained += other.energy_gained;
   gained_by_slip += other.gained_by_slip;
+  theta_loss += other.theta_loss;
+  projection_energy += other.projection_energy;
   if (std::abs(other.energy_relative_change) > std::abs(energy_relative_change))
     energy_relative_change = other.energy_relative_change;
 }

@@ -168,7 +168,14 @@ struct SolverQuality {
   double gained_by_slip = 0;  ///< J
   /// Instants whose impacts did not end by themselves (World::most_together)
   std::uint64_t endless_impacts = 0;
-  std::uint64_t shocks = 0;           ///< velocity jumps in a step in which no contact approaches (Painleve)
+  std::uint64_t shocks = 0;  ///< velocity jumps in a step in which no contact approaches (Painleve)
+  std::uint64_t dense_steps = 0;
+  std::uint64_t dense_unfinished =
+      0;                         ///< their solves that kept a residual above the tolerance of dense steps
+  double dense_residual = 0;     ///< the greatest of them, relative to the speed_scale
+  double unsolved_depth = 0;     ///< the deepest contact that a dense step did not solve, of the smaller size
+  double theta_loss = 0;         ///< J, potential energy that dense steps lose, being of first order; or gain
+  double projection_energy = 0;  ///< J, by which they lift bodies out of each other
   double energy_relative_change = 0;  ///< (total energy at the end - total energy at the start) / |scale|
 
   /// The counts, and of what the greatest counts, as chunk files have them one after the other.
@@ -177,10 +184,10 @@ struct SolverQuality {
       &SolverQuality::flights,      &SolverQuality::impact_problems, &SolverQuality::problems,
       &SolverQuality::iterations,   &SolverQuality::toc_iterations,  &SolverQuality::not_converged,
       &SolverQuality::energy_gains, &SolverQuality::gains_by_slip,   &SolverQuality::endless_impacts,
-      &SolverQuality::shocks};
+      &SolverQuality::shocks,       &SolverQuality::dense_steps,     &SolverQuality::dense_unfinished};
   static constexpr double SolverQuality::*greatest[] = {
-      &SolverQuality::not_converged_residual, &SolverQuality::max_residual, &SolverQuality::max_penetration,
-      &SolverQuality::max_spring_angle};
+      &SolverQuality::not_converged_residual, &SolverQuality::max_residual,   &SolverQuality::max_penetration,
+      &SolverQuality::max_spring_angle,       &SolverQuality::dense_residual, &SolverQuality::unsolved_depth};
 
   /// Counts a step of length h; `cut`: a touch has cut it short.
   void count_step(double h, bool cut);

@@ -39,6 +39,8 @@ nlohmann::ordered_json exposures_data(const Scenario& scenario,
         exposed.trials, "hits_per_m2", number(exposed.hits_per_m2), "per_blast",
         bounds_data(exposed.per_blast), "per_year", number(exposed.per_year), "per_year_interval",
         interval_data(exposed.per_year_interval)));
+    if (plan.limit_per_blast) list.back()["limit_per_blast"] = *plan.limit_per_blast;
+    if (plan.limit_per_year) list.back()["limit_per_year"] = *plan.limit_per_year;
     if (!plan.has_traffic()) continue;
     list.back()["vehicle_hit"] = number(exposed.per_blast.upper);
     list.back()["vehicle_hit_interval"] = interval_data(exposed.per_blast.interval);

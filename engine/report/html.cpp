@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "batch/safe_file.h"
@@ -24,11 +25,23 @@ std::string head_of(const nlohmann::ordered_json& summary) {
   if (!summary.contains("document")) return "";
   std::string text;
   for (const auto& [key, value] : summary.at("document").items()) {
-    std::string name = key;
+    if (!value.is_string()) continue;
+    std::string name = replace_all(key, "_", " ");
     name.front() = static_cast<char>(name.front() - 'a' + 'A');
     text += fmt::format("{}<b>{}</b> {}", text.empty() ? "" : " · ", name, escaped(value.get<std::string>()));
   }
   return fmt::format("<p class=\"document\">{}</p>\n", text);
+}
+
+/// Lines to sign on, for the author and who checked; empty unless the document asks for them.
+std::string signatures_of(const nlohmann::ordered_json& summary) {
+  const auto document = summary.find("document");
+  if (document == summary.end() || !document->value("signature", false)) return "";
+  std::string text = "<div class=\"signatures\">";
+  for (const auto& [key, role] : {std::pair{"author", "Author"}, std::pair{"checked_by", "Checked by"}})
+    text += fmt::format("<div><p class=\"line\"></p><p>{}{}</p><p>Date and signature</p></div>", role,
+                        document->contains(key) ? ": " + escaped(document->value(key, "")) : "");
+  return text + "</div>\n";
 }
 
 /// The bundles of Plotly.
@@ -43,11 +56,12 @@ std::string bundle(const std::filesystem::path& file, const std::string& then) {
 /// The scripts of the page, in one scope. Their order matters, because each uses the ones before it.
 std::string scripts(const std::filesystem::path& assets) {
   std::string joined = "\"use strict\";\n(() => {\n";
-  for (const char* name : {"page.js",           "places.js",     "reach.js",       "tracks.js", "space.js",
-                           "trees.js",          "contours.js",   "map_frame.js",   "plan.js",   "maps.js",
-                           "motion.js",         "plots.js",      "small_plots.js", "curves.js", "azimuth.js",
-                           "area.js",           "tables.js",     "observed.js",    "holes.js",  "blocks.js",
-                           "barrier_design.js", "comparison.js", "against.js",     "cover.js",  "report.js"})
+  for (const char* name :
+       {"page.js",        "places.js",     "reach.js",          "tracks.js",     "space.js",   "trees.js",
+        "contours.js",    "map_frame.js",  "plan.js",           "maps.js",       "motion.js",  "plots.js",
+        "small_plots.js", "curves.js",     "azimuth.js",        "area.js",       "tables.js",  "observed.js",
+        "holes.js",       "blocks.js",     "barrier_design.js", "comparison.js", "against.js", "questions.js",
+        "cover.js",       "cover_plan.js", "report.js"})
     joined += read_file(assets / name);
   return joined + "})();\n";
 }
@@ -68,9 +82,17 @@ std::string report_html(const nlohmann::ordered_json& data, const std::filesyste
   if (const std::string faults = text("fault_line"); !faults.empty())
     page += fmt::format("<p class=\"alarm\">{}</p>\n", escaped(faults));
   page += head_of(data.at("summary"));
-  page += fmt::format("<h1>{}</h1>\n<p class=\"answer\">{}</p>\n<p class=\"facts\">{}</p>\n", title,
-                      escaped(replace_all(replace_all(text("answer"), ">= ", "≥ "), "<= ", "≤ ")),
-                      escaped(text("assumptions")));
+  const auto words = [](std::string answer) {
+    return escaped(replace_all(replace_all(std::move(answer), ">= ", "≥ "), "<= ", "≤ "));
+  };
+  const std::string all = text("answer"), first = data.at("summary").value("first_sentence", "");
+  const std::string rest = first.empty() ? "" : all.substr(std::min(all.size(), first.size() + 1));
+  // The page's script puts the table of questions after the answer, and what is in `about` after the drawing.
+  page += fmt::format(
+      "<h1>{}</h1>\n<p class=\"answer\">{}</p>\n<div id=\"questions\"></div>\n<div id=\"about\">\n<p "
+      "class=\"rest\">{}</p>\n<p class=\"facts\">{}</p>\n</div>\n{}",
+      title, words(first.empty() ? all : first), words(rest), escaped(text("assumptions")),
+      signatures_of(data.at("summary")));
   const bool in_3d = data.at("summary").at("dimension") == 3;
   if (!exists(assets / flat_plots) || (in_3d && !exists(assets / plots_in_3d)))
     page +=

@@ -28,21 +28,16 @@ std::vector<bool> draws_read(const Scenario& scenario, std::size_t group) {
   return read;
 }
 
-const std::vector<BlastField>& fields_of(DerivedInput input) {
-  static const std::vector<BlastField> charge{explosive_density, hole_diameter, hole_charge_length};
-  static const std::vector<BlastField> powder{explosive_density, hole_diameter, hole_charge_length, burden,
-                                              spacing,           hole_length,   hole_subdrilling};
-  return input == DerivedInput::charge_per_hole ? charge : powder;
-}
-
-bool derived_is_read(const Scenario& scenario, std::size_t group, DerivedInput input) {
-  if (!scenario.blast) return false;
-  const std::vector<BlastField>& wanted = fields_of(input);
-  return std::all_of(scenario.blast->fields.begin(), scenario.blast->fields.end(), [&](const auto& given) {
-    const auto& [field, number] = given;
-    const auto feeds = [&](BlastField result) { return follows(*scenario.blast, result, field); };
-    return number.is_constant() || std::none_of(wanted.begin(), wanted.end(), feeds) ||
-           group_reads(scenario, group, field);
+/// Of numbers that differ, because a constant has no part in a correlation.
+bool derived_is_read(const Scenario& scenario, std::size_t group, Derived derived) {
+  if (!differs(scenario, derived)) return false;
+  const BlastPlan& blast = *scenario.blast;
+  const std::vector<BlastField> given = made_of(blast, derived);
+  return std::any_of(given.begin(), given.end(), [&](BlastField field) {
+    const auto constant = blast.fields.find(field);
+    const bool may_differ = blast.columns.contains(field) || blast.scatter.contains(field) ||
+                            (constant != blast.fields.end() && !constant->second.is_constant());
+    return may_differ && group_reads(scenario, group, field);
   });
 }
 
@@ -51,8 +46,9 @@ bool derived_is_read(const Scenario& scenario, std::size_t group, DerivedInput i
 RankedInputs::RankedInputs(const Scenario& scenario) : use_(scenario.materials.size()) {
   for (std::size_t g = 0; g < scenario.rocks.size(); ++g) {
     reads_.push_back(draws_read(scenario, g));
-    derived_.push_back({derived_is_read(scenario, g, DerivedInput::charge_per_hole),
-                        derived_is_read(scenario, g, DerivedInput::powder_factor)});
+    std::vector<bool>& derived = derived_.emplace_back();
+    for (std::size_t d = 0; d < derived_count; ++d)
+      derived.push_back(derived_is_read(scenario, g, static_cast<Derived>(d)));
   }
   find_laws(scenario);
 }

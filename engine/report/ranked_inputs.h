@@ -7,13 +7,10 @@
 #include <vector>
 
 #include "record/records.h"
+#include "scenario/derived_inputs.h"
 #include "scenario/scenario.h"
 
 namespace flyrock {
-
-/// Numbers that follow from drawn ones. They are ranked together with them.
-enum class DerivedInput { charge_per_hole, powder_factor };
-inline constexpr int derived_inputs = 2;
 
 class RankedInputs {
  public:
@@ -26,9 +23,9 @@ class RankedInputs {
   bool reads(std::size_t group, int draw) const {
     return reads_.at(group).at(static_cast<std::size_t>(draw));
   }
-  /// Whether they depend on all drawn numbers that a derived number follows from.
-  bool reads(std::size_t group, DerivedInput input) const {
-    return derived_.at(group).at(static_cast<std::size_t>(input));
+  /// Whether they depend on any number that a derived number of the blast is made of.
+  bool reads(std::size_t group, Derived derived) const {
+    return derived_.at(group).at(static_cast<std::size_t>(derived));
   }
   /// Whether the law of a draw was ever called; true for a draw that belongs to no law.
   bool was_asked(int draw) const;

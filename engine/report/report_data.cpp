@@ -17,8 +17,11 @@
 #include "report/runout_data.h"
 #include "report/scenario_text.h"
 #include "report/summary_data.h"
+#include "report/used_sources.h"
 #include "results/alarms.h"
+#include "results/barrier_choice.h"
 #include "results/cell_size.h"
+#include "results/farthest_group.h"
 #include "results/unknown.h"
 #include "scenario/blast_readers.h"
 #include "units/units.h"
@@ -34,7 +37,7 @@ constexpr std::size_t most_track_points = 150'000;
 
 /// The greatest number of ends of rocks in one page; each takes some 40 bytes.
 constexpr std::size_t most_stems = 20'000;  // of all points
-constexpr std::size_t most_deposits = 20'000;
+constexpr std::size_t most_deposits = 18'000;
 
 Json terrain_data(const Profile& terrain) {
   Json x = Json::array(), y = Json::array();
@@ -83,11 +86,11 @@ LawSubject subject_of(const PointResult& point) {
   return subject;
 }
 
-/// { sha256, plugins, files }, without the name of the scenario file, because it may change before shards are
-/// merged.
+/// { sha256, plugins, files }, of the plugins that the run used; without the name of the scenario file,
+/// because it may change before shards are merged.
 Json source_data(const LoadedScenario& scenario) {
   return {{"sha256", scenario.hash},
-          {"plugins", hash_data(scenario.sources)},
+          {"plugins", hash_data(used_sources(scenario))},
           {"files", hash_data(scenario.files)}};
 }
 
@@ -123,6 +126,23 @@ Json axes_data(const Plan& plan) {
     Json line = {{"path", axis.path}, {"name", axis.name}};
     line.update(unit_data(axis.unit));
     list.push_back(std::move(line));
+  }
+  return list;
+}
+
+/// Of each swept barrier, group, sense and share: { barrier, group, sense, held, holding, smallest, text },
+/// and the points at which enough trials have a rock that arrives.
+Json choices_data(const Plan& plan, const Results& results) {
+  Json list = Json::array();
+  if (results.points.size() < 2) return list;
+  for (const BarrierChoice& choice : barrier_choices(plan, results.points)) {
+    Json tried = Json::array();
+    for (std::size_t p = 0; p < results.points.size(); ++p)
+      if (is_tried(results.points[p], choice.barrier, choice.group)) tried.push_back(p);
+    list.push_back(json_object("barrier", choice.barrier, "group", choice.group, "sense",
+                               held_sense_names[static_cast<std::size_t>(choice.sense)], "held", choice.held,
+                               "tried", std::move(tried), "holding", choice.holding, "smallest",
+                               choice.smallest, "text", choice.text));
   }
   return list;
 }
@@ -290,10 +310,12 @@ Json ReportData::finish(const Results& results, const GroundPictures& grounds) {
   }
   return json_object("summary", summary_data(plan, results), "alarms", alarms(results.points), "source",
                      source_data(scenario_), "scenario", scenario_text(plan.resolved), "inputs",
-                     input_data(scenario_), "groups", group_names(plan.points.front()), "numbers",
-                     numbers_data(), "map_units", map_unit_data(), "axes", axes_data(plan),
-                     "expectation_units", expectation_units(results), "answer_units", answer_units(plan),
-                     "drawn", drawn_data(plan.points.front()), "regular_only",
+                     input_data(scenario_), "groups", group_names(plan.points.front()), "farthest_group",
+                     plan.points.front().bodies.empty() ? farthest_group(results.points.front().groups) : 0,
+                     "barrier_choices", choices_data(plan, results), "numbers", numbers_data(), "map_units",
+                     map_unit_data(), "axes", axes_data(plan), "expectation_units",
+                     expectation_units(results), "answer_units", answer_units(plan), "drawn",
+                     drawn_data(plan.points.front()), "regular_only",
                      is_of_regular_blasts(plan.points.front()), "grounds", grounds_data(grounds), "points",
                      std::move(points));
 }

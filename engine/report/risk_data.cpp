@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "report/json_object.h"
+#include "scenario/derived_inputs.h"
 
 namespace flyrock {
 
@@ -13,6 +14,7 @@ namespace {
 
 nlohmann::ordered_json measured_data(const BlastPlan& plan) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  const std::vector<DerivedNumbers> derived = typical_of_holes(plan);
   for (std::size_t i = 0; i < plan.holes.size(); ++i) {
     const Hole& hole = plan.pattern.measured[i];
     const Blast& blast = plan.holes[i];
@@ -23,6 +25,8 @@ nlohmann::ordered_json measured_data(const BlastPlan& plan) {
         number(blast[BlastField::hole_stemming]), "charge_kg", number(design.charge_per_hole),
         "charge_kg_per_m", number(design.linear_charge), "charge_to_mass", number(design.charge_to_mass),
         "rock_m3", number(design.rock), "powder_factor_kg_m3", number(design.powder_factor)));
+    for (std::size_t d = 0; d < derived_count; ++d)
+      list.back()["derived"][derived_infos()[d].name] = number(derived[i][d]);
   }
   return list;
 }

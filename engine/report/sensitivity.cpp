@@ -4,7 +4,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <stdexcept>
 
 #include "batch/inputs.h"
 #include "report/rounded.h"
@@ -86,8 +85,7 @@ std::map<int, double> numbers_of(TrialInputs begin, TrialInputs end) {
 }  // namespace
 
 Sensitivity::Sensitivity(const Scenario& scenario)
-    : blast_(scenario.blast),
-      inputs_(scenario),
+    : inputs_(scenario),
       draws_(static_cast<int>(scenario.draws.size())),
       rank_outcomes_(scenario.output.rank_outcomes),
       groups_(scenario.rocks.size()) {
@@ -95,38 +93,22 @@ Sensitivity::Sensitivity(const Scenario& scenario)
     names_.push_back(input.path);
     units_.push_back(readable_unit(input.unit));
   }
-  names_.insert(names_.end(), {"blast: charge per hole", "blast: powder factor"});
-  units_.insert(units_.end(), {{"kg", 1}, {"kg/m3", 1}});
+  made_of_.resize(derived_count);
+  draws_of_blast_.resize(scenario.draws.size());
+  if (!scenario.blast) return;
+  for (std::size_t d = 0; d < derived_count; ++d)
+    made_of_[d] = paths_made_of(*scenario.blast, static_cast<Derived>(d));
+  for (const auto& [field, number] : scenario.blast->fields)
+    if (!number.is_constant()) {
+      const auto draw = static_cast<std::size_t>(number.draw);
+      draws_of_blast_[draw] = scenario.draws[draw].stream;
+    }
 }
 
 bool Sensitivity::is_ranked(std::size_t group, int input) const {
-  if (input >= first_derived())
-    return inputs_.reads(group, static_cast<DerivedInput>(input - first_derived()));
+  if (input >= first_derived()) return inputs_.reads(group, static_cast<Derived>(input - first_derived()));
   if (input >= draws_) return rank_outcomes_;
   return inputs_.reads(group, input) && inputs_.was_asked(input);
-}
-
-/// Adds the numbers that follow from the drawn numbers of one rock. Adds nothing if a draw of its blast is
-/// missing.
-void Sensitivity::add_derived(std::map<int, double>& drawn) const {
-  if (!blast_ || blast_->has_holes()) return;  // measured holes are ranked by their share of the risk
-  Blast blast;
-  for (const auto& [field, number] : blast_->fields) {
-    if (number.is_constant())
-      blast[field] = number.constant;
-    else if (const auto found = drawn.find(number.draw); found != drawn.end())
-      blast[field] = found->second;
-    else
-      return;
-  }
-  try {
-    complete(blast);
-  } catch (const std::invalid_argument&) {
-    return;  // the rock failed for this reason
-  }
-  const BlastDesign design = design_of(blast, blast_->pattern);
-  if (!std::isnan(design.charge_per_hole)) drawn[first_derived()] = design.charge_per_hole;
-  if (!std::isnan(design.powder_factor)) drawn[first_derived() + 1] = design.powder_factor;
 }
 
 void Sensitivity::add(const TrialRecords& chunk) {
@@ -140,9 +122,7 @@ void Sensitivity::add(const TrialRecords& chunk) {
     if (is_fault(rock.reason) || static_cast<std::size_t>(rock.group) >= groups_.size()) continue;
     Group& group = groups_[static_cast<std::size_t>(rock.group)];
     if (group.runout.size() == most_rocks) continue;
-    std::map<int, double> numbers = numbers_of(first, input);
-    add_derived(numbers);
-    for (const auto& [name, value] : numbers) {
+    for (const auto& [name, value] : numbers_of(first, input)) {
       std::vector<double>& values = group.inputs[name];
       values.resize(group.runout.size(), unknown);  // of the rocks before that did not draw it
       values.push_back(value);
@@ -179,10 +159,23 @@ std::vector<Sensitivity::Line> Sensitivity::ranked(std::size_t of_group) const {
   return lines;
 }
 
+Json Sensitivity::made_of_data(std::size_t group, int input) const {
+  if (input < first_derived()) return nullptr;
+  Json of = Json::array();
+  for (const std::string& path : made_of_[static_cast<std::size_t>(input - first_derived())]) {
+    const auto draw = std::find(draws_of_blast_.begin(), draws_of_blast_.end(), path);
+    const auto index = static_cast<int>(draw - draws_of_blast_.begin());
+    of.push_back({{"path", path}, {"read", draw == draws_of_blast_.end() || inputs_.reads(group, index)}});
+  }
+  return of;
+}
+
 Json Sensitivity::group_data(std::size_t of_group) const {
   const std::vector<Line> lines = ranked(of_group);
+  const auto causes = std::count_if(lines.begin(), lines.end(),
+                                    [&](const Line& line) { return line.input < first_derived(); });
   const double confidence =
-      1 - (1 - stated_confidence) / static_cast<double>(std::max<std::size_t>(1, lines.size()));
+      1 - (1 - stated_confidence) / static_cast<double>(std::max<std::ptrdiff_t>(1, causes));
   auto inputs = Json::array();
   for (const Line& line : lines) {
     const auto input = static_cast<std::size_t>(line.input);
@@ -195,9 +188,17 @@ Json Sensitivity::group_data(std::size_t of_group) const {
                       {"upper", rounded(interval.upper)},
                       {"design_effect", rounded(pairs / line.found.effective_size)},
                       {"curve", curve_data(line.column.value, units_[input].per_si, line.column.runout,
-                                           line.column.rocks.weight)}});
+                                           line.column.rocks.weight)},
+                      {"of", made_of_data(of_group, line.input)}});
   }
-  return {{"count", groups_[of_group].runout.size()}, {"confidence", confidence}, {"inputs", inputs}};
+  Json not_read = Json::array();
+  for (std::size_t d = 0; d < draws_of_blast_.size(); ++d)
+    if (!draws_of_blast_[d].empty() && !inputs_.reads(of_group, static_cast<int>(d)))
+      not_read.push_back(draws_of_blast_[d]);
+  return {{"count", groups_[of_group].runout.size()},
+          {"confidence", confidence},
+          {"inputs", inputs},
+          {"not_read", not_read}};
 }
 
 Json Sensitivity::data() const {

@@ -3,7 +3,7 @@
 
 #include <map>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "report/ranked_inputs.h"
@@ -23,9 +23,9 @@ namespace flyrock {
 /// without influence then have intervals that contain 0.
 ///
 /// Each number has a curve: the runout of the rocks in each tenth of the number's values, while all other
-/// numbers vary as drawn. Two numbers that follow from drawn ones are also ranked: the charge of a hole and
-/// its powder factor. Outcomes of what plugins draw (rock.volume) are ranked only with
-/// `output.rank_outcomes`.
+/// numbers vary as drawn. Numbers of the blast that are made of drawn ones (blast/derived.h) stand among
+/// them, marked with what they are made of; they are no further causes, so m does not count them. Outcomes of
+/// what plugins draw (rock.volume) are ranked only with `output.rank_outcomes`.
 class Sensitivity {
  public:
   explicit Sensitivity(const Scenario& scenario);
@@ -34,17 +34,19 @@ class Sensitivity {
   void add(const TrialRecords& chunk);
 
   /// One entry for each group: { count, confidence, inputs: [{ path, unit, r, lower, upper, design_effect,
-  /// curve }] }, strongest first. Inputs with the same value in all rocks are left out. confidence is that of
-  /// one interval, whose unit is the trial (design_effect: results/rank_correlation.h); unit is a unit for
-  /// readers (readable_unit). curve: { x, low, middle, high }, the median of the number in that unit and p10,
-  /// p50 and p90 of the runout, in each tenth.
+  /// curve, of }], not_read }, strongest first. `of`: what a derived number is made of, [{ path, read }],
+  /// null of others. not_read: drawn numbers of the blast that nothing of the group reads. Inputs with the
+  /// same value in all rocks are left out. confidence is that of one interval, whose unit is the trial
+  /// (design_effect: results/rank_correlation.h); unit is a unit for readers (readable_unit). curve: { x,
+  /// low, middle, high }, the median of the number in that unit and p10, p50 and p90 of the runout, in each
+  /// tenth.
   nlohmann::ordered_json data() const;
 
  private:
   struct Group {
     PairUnits rocks;
     std::vector<double> runout;
-    /// By the index of batch/inputs.h, then the derived numbers; unknown for a rock without the number.
+    /// By the index of batch/inputs.h; unknown for a rock without the number.
     std::map<int, std::vector<double>> inputs;
   };
   /// The rocks of a group that have a number.
@@ -59,17 +61,19 @@ class Sensitivity {
     RankCorrelation found;
   };
   static Column column(const Group& group, const std::vector<double>& values);
-  int first_derived() const { return static_cast<int>(names_.size()) - derived_inputs; }
+  int first_derived() const { return static_cast<int>(names_.size() - derived_count); }
+  /// What a derived number is made of, for a group; null for another input.
+  nlohmann::ordered_json made_of_data(std::size_t group, int input) const;
   bool is_ranked(std::size_t group, int input) const;
-  void add_derived(std::map<int, double>& drawn) const;
   std::vector<Line> ranked(std::size_t group) const;
   nlohmann::ordered_json group_data(std::size_t group) const;
 
-  std::optional<BlastPlan> blast_;
   RankedInputs inputs_;
+  std::vector<std::string> draws_of_blast_;        ///< streams, each by its draw; empty of other draws
+  std::vector<std::vector<std::string>> made_of_;  ///< of each derived number the paths
   int draws_ = 0;  ///< number of inputs that are draws; the next ones are outcomes
   bool rank_outcomes_ = false;
-  std::vector<std::string> names_;   ///< of the inputs, then of the derived numbers
+  std::vector<std::string> names_;   ///< of the inputs
   std::vector<ReadableUnit> units_;  ///< in the same order
   std::vector<Group> groups_;
 };

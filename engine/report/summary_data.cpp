@@ -17,6 +17,7 @@
 #include "results/fault_line.h"
 #include "results/lost.h"
 #include "results/weights.h"
+#include "scenario/derived_inputs.h"
 #include "scenario/plan.h"
 
 namespace flyrock {
@@ -134,9 +135,10 @@ void forget_statistics(Json& point) {
                   "energy_factor", "height_factor", "held_height_m", "held_energy_J", "rocks", "counts"});
   if (point.contains("trees")) forget_numbers(point["trees"], {"hits", "counts"});
   for (Json& clearance : point["clearance"]) {
-    forget_numbers(clearance, {"clearance", "group", "probability", "per", "of", "count", "rocks_per_blast",
-                               "weight", "upper_bound", "needed", "confidence", "factor", "area",
-                               "area_least", "customary", "known_throw", "beyond_known_throw"});
+    forget_numbers(clearance,
+                   {"clearance", "group", "probability", "per", "of", "count", "rocks_per_blast", "weight",
+                    "upper_bound", "needed", "confidence", "factor", "area", "area_least", "customary",
+                    "known_throw", "beyond_known_throw", "blasts_per_year"});
     if (clearance.contains("area")) clearance["area"]["sectors"] = Json::array();
     if (clearance.contains("area_least")) {
       forget_numbers(clearance["area_least"], {"probability", "effective"});
@@ -363,6 +365,14 @@ Json least_area_data(const ClearancePlan& plan, const LeastArea& area) {
           {"polygons", polygons}};
 }
 
+/// { distance, share, lower, upper, interval, telling_weight, lower_bound }
+Json blasts_beyond_data(const BlastsBeyond& beyond) {
+  Json data = {{"distance", beyond.distance}};
+  data.update(bounds_data(beyond.share));
+  data["lower_bound"] = beyond.is_lower_bound;
+  return data;
+}
+
 Json clearances_data(const Scenario& scenario, const std::vector<ClearanceSummary>& clearances) {
   Json list = Json::array();
   for (std::size_t c = 0; c < clearances.size(); ++c) {
@@ -392,7 +402,13 @@ Json clearances_data(const Scenario& scenario, const std::vector<ClearanceSummar
       list.back()["upper_bound"] = true;
       list.back()["weight"] = clearance.weight;
     }
-    if (plan.customary) list.back()["customary"] = *plan.customary;
+    if (!std::isnan(clearance.beyond_distance.distance))
+      list.back()["blasts_beyond"] = blasts_beyond_data(clearance.beyond_distance);
+    if (plan.blasts_per_year) list.back()["blasts_per_year"] = *plan.blasts_per_year;
+    if (plan.customary) {
+      list.back()["customary"] = *plan.customary;
+      list.back()["blasts_beyond_customary"] = blasts_beyond_data(*clearance.beyond_customary);
+    }
     if (plan.known_throw) {
       list.back()["known_throw"] = *plan.known_throw;
       list.back()["beyond_known_throw"] = beyond_known_throw * *plan.known_throw;
@@ -447,6 +463,12 @@ Json quality_data(const SolverQuality& q) {
           {"gained_by_slip", number(q.gained_by_slip)},
           {"endless_impacts", q.endless_impacts},
           {"shocks", q.shocks},
+          {"dense_steps", q.dense_steps},
+          {"dense_unfinished", q.dense_unfinished},
+          {"dense_residual", number(q.dense_residual)},
+          {"unsolved_depth", number(q.unsolved_depth)},
+          {"theta_loss", number(q.theta_loss)},
+          {"projection_energy", number(q.projection_energy)},
           {"energy_relative_change", number(q.energy_relative_change)}};
 }
 
@@ -482,6 +504,20 @@ Json verdict_data(const Verdict& verdict) {
   return data;
 }
 
+/// The rows of the table of questions, and the clause of each in the first sentence.
+Json questions_data(const std::vector<Question>& questions) {
+  Json list = Json::array();
+  for (const Question& q : questions)
+    list.push_back({{"asks", q.asks},
+                    {"per_blast", q.per_blast},
+                    {"interval", q.interval},
+                    {"per_year", q.per_year},
+                    {"limit", q.limit},
+                    {"verdict", q.verdict},
+                    {"clause", q.clause}});
+  return list;
+}
+
 /// The head of the report, what is given of it.
 Json document_data(const DocumentPlan& head) {
   Json data = Json::object();
@@ -490,9 +526,27 @@ Json document_data(const DocumentPlan& head) {
                                                                          {"site", head.site},
                                                                          {"client", head.client},
                                                                          {"author", head.author},
+                                                                         {"checked_by", head.checked_by},
+                                                                         {"revision", head.revision},
                                                                          {"date", head.date}})
     if (!text.empty()) data[key] = text;
+  if (head.signature) data["signature"] = true;
   return data;
+}
+
+/// The derived numbers of the blast, with the medians of distributions, and what each is made of.
+Json derived_data(const BlastPlan& plan) {
+  const DerivedNumbers numbers = typical_derived(plan);
+  Json list = Json::array();
+  for (std::size_t d = 0; d < derived_count; ++d)
+    if (std::isfinite(numbers[d])) {
+      const auto derived = static_cast<Derived>(d);
+      list.push_back({{"path", path_of(derived)},
+                      {"value", numbers[d]},
+                      {"unit", derived_infos()[d].unit},
+                      {"of", paths_made_of(plan, derived)}});
+    }
+  return list;
 }
 
 /// The design of the blast, with the medians of distributions; null if the scenario does not give enough.
@@ -509,7 +563,8 @@ Json blast_data(const BlastPlan& plan) {
           {"burden_m", number(plan.typical[BlastField::burden])},
           {"scaled_depth_of_burial_m_kg13", number(design.depth_of_burial)},
           {"farthest_fragment_m", number(design.fragment)},
-          {"last_hole_s", number(design.last_time)}};
+          {"last_hole_s", number(design.last_time)},
+          {"derived", derived_data(plan)}};
 }
 
 }  // namespace
@@ -547,6 +602,8 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
     }
     if (!plan.points[p].exposures.empty())
       points.back()["exposure"] = exposures_data(plan.points[p], point.exposures);
+    if (const std::vector<Question> asked = questions(plan.points[p], point); !asked.empty())
+      points.back()["questions"] = questions_data(asked);
     if (has_lost(plan.points[p], point)) forget_statistics(points.back());
     if (point.observation)
       points.back()["observed"] = has_lost(plan.points[p], point)
@@ -576,9 +633,11 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                {"assumptions", assumptions(plan)},
                {"dimension", first.dimension},
                {"method", methods_text(plan)},
-               {"seed", first.seed},
+               {"seed", first.streams.seed},
                {"trials", first.trials},
                {"complete", results.ended_early.empty()}};
+  if (const std::string sentence = answer_texts(plan, results).first; !sentence.empty())
+    data["first_sentence"] = sentence;
   if (const Json head = document_data(first.document); !head.empty()) data["document"] = head;
   if (!first.terrain.crs.empty()) data["crs"] = first.terrain.crs;
   if (!results.ended_early.empty()) data["ended_early"] = results.ended_early;

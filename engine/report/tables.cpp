@@ -84,7 +84,7 @@ std::string manifest_json(const LoadedScenario& loaded) {
   const Json manifest = {{"flyrock", FLYROCK_ENGINE_VERSION},
                          {"format", result_format},
                          {"scenario_sha256", loaded.hash},
-                         {"seed", first.seed},
+                         {"seed", first.streams.seed},
                          {"trials", first.trials},
                          {"points", loaded.plan.points.size()},
                          {"outer", first.outer},

@@ -9,6 +9,8 @@
 #include <map>
 
 #include "results/answer_shares.h"
+#include "results/asked_answer.h"
+#include "results/barrier_choice.h"
 #include "results/lost.h"
 #include "results/outer.h"
 #include "results/weights.h"
@@ -47,178 +49,6 @@ std::string_view ending(StopReason reason) {
       break;
   }
   return "failed";
-}
-
-/// Who goes farther than a clearance: "rocks of face go", "blasts (with 3 rocks a blast) throw a rock of
-/// face".
-std::string who_goes(const Scenario& scenario, const ClearancePlan& asked, const ClearanceSummary& found) {
-  const std::string of =
-      asked.group < 0 ? "" : " of " + scenario.rocks.at(static_cast<std::size_t>(asked.group)).name;
-  if (!asked.per_blast)
-    return fmt::format("rocks{} {}", of, scenario.method == Method::ballistic ? "first land" : "go");
-  const double rocks = found.rocks_per_blast();
-  return fmt::format("blasts (with {:.4g} rock{} a blast) throw a rock{}{}", rocks, rocks == 1 ? "" : "s", of,
-                     scenario.method == Method::ballistic ? " that first lands" : "");
-}
-
-/// Why a clearance is not given.
-std::string not_given(const ClearancePlan& asked, const ClearanceSummary& found) {
-  const char* of = asked.per_blast ? "blasts" : "rocks";
-  if (asked.sectors > 0)
-    return fmt::format("there is no area, {} {} that are independent are too few",
-                       three_digits(found.area.effective), of);
-  if (found.interval.trials_needed > 0)
-    return fmt::format("too few trials, it needs about {}", found.interval.trials_needed);
-  return fmt::format("it needs {} {} and there are {}", found.needed, of, found.count);
-}
-
-/// "Clearance road: at most 0.1 % of the rocks go farther than 320 m (95 % interval 301 to 345 m). With the
-/// factor 1.5 that is 480 m." With sectors, the greatest distance of the area. In a sweep, the least to the
-/// greatest distance with their points.
-std::string clearance_answer(const Plan& plan, const Results& results, std::size_t c) {
-  const ClearancePlan& asked = plan.points.front().clearances[c];
-  const auto at = [&](std::size_t p) -> const ClearanceSummary& {
-    return results.points[p].clearances.at(c);
-  };
-  const ClearanceSummary& first = at(0);
-  const bool one = results.points.size() == 1;
-  if (one && !first.enough())
-    return fmt::format("Clearance {}: not given, {}.", asked.name, not_given(asked, first));
-  const auto distance_text = [&](std::size_t p) {
-    if (asked.sectors > 0) return display(at(p).distance, "m");
-    return with_interval(at(p).distance, at(p).interval, asked.confidence);
-  };
-  const auto value_at = [&](std::size_t p) { return at(p).distance.value; };
-  const std::string distance = over_points(plan, results, value_at, distance_text);
-  std::string text;
-  if (asked.sectors > 0) {
-    text = fmt::format("Area of {}: with {} confidence at most {} of new {} outside; it reaches {} from {}",
-                       asked.name, percent(stated_confidence), percent(asked.probability),
-                       asked.per_blast ? "blasts throw a rock" : "rocks stop", distance,
-                       asked.about ? "the given point" : "the hull of the release places");
-    if (one)
-      text += fmt::format(", at azimuth {} deg", three_digits(first.area.farthest()->azimuth * 180 / pi));
-  } else {
-    text = fmt::format("Clearance {}: at most {} of the {} farther than {}", asked.name,
-                       percent(asked.probability), who_goes(plan.points.front(), asked, first), distance);
-  }
-  if (one && first.is_upper_bound(asked))
-    text +=
-        fmt::format(", an upper bound, because a rock stands for {} real ones", three_digits(first.weight));
-  text += '.';
-  if (asked.factor)
-    text += fmt::format(" With the factor {} that is {}.", three_digits(*asked.factor),
-                        over_points(plan, results, value_at, [&](std::size_t p) {
-                          return display({at(p).with_factor, at(p).distance.censored}, "m");
-                        }));
-  return text;
-}
-
-/// " Least area of road: 3.1 ha in 2 parts; with 95 % confidence at most 2 % of new rocks stop outside. A
-/// circle about the release places takes 24.3 ha (278 m)."
-std::string least_area_answer(const Plan& plan, const Results& results, std::size_t c) {
-  const ClearancePlan& asked = plan.points.front().clearances[c];
-  if (!asked.least_area) return {};
-  const auto at = [&](std::size_t p) -> const LeastArea& {
-    return results.points[p].clearances.at(c).least_area;
-  };
-  const bool one = results.points.size() == 1;
-  const char* of = asked.per_blast ? "blasts" : "rocks";
-  if (one && !at(0).beyond)
-    return fmt::format(
-        " Least area of {}: there is none, {} {} that are independent are too few in half of the trials.",
-        asked.name, three_digits(at(0).effective), of);
-  const auto hectares = [](double value) { return three_digits(value) + " ha"; };
-  std::string text = fmt::format(
-      " Least area of {}: {}", asked.name,
-      over_points(
-          plan, results, [&](std::size_t p) { return at(p).hectares; },
-          [&](std::size_t p) { return (at(p).censored > 0 ? ">= " : "") + hectares(at(p).hectares); }));
-  if (one && at(0).polygons.size() > 1) text += fmt::format(" in {} parts", at(0).polygons.size());
-  text += fmt::format("; with {} confidence at most {} of new {} outside.", percent(stated_confidence),
-                      percent(asked.probability), asked.per_blast ? "blasts throw a rock" : "rocks stop");
-  if (one && !std::isnan(at(0).circle_hectares))
-    text += fmt::format(" A circle about the release places takes {} ({} m).",
-                        hectares(at(0).circle_hectares), three_digits(at(0).circle_distance));
-  return text;
-}
-
-/// " Beside it: the customary distance is 300 m; 1.5 times the farthest known throw is 270 m."
-std::string beside_clearance(const ClearancePlan& asked) {
-  if (!asked.customary && !asked.known_throw) return {};
-  std::string text = " Beside it:";
-  if (asked.customary)
-    text += fmt::format(" the legal or customary distance is {} m", three_digits(*asked.customary));
-  if (asked.customary && asked.known_throw) text += ";";
-  if (asked.known_throw)
-    text += fmt::format(" {} times the farthest known throw is {} m", three_digits(beyond_known_throw),
-                        three_digits(beyond_known_throw * *asked.known_throw));
-  return text + '.';
-}
-
-std::string clearances_answer(const Plan& plan, const Results& results) {
-  std::string text;
-  for (std::size_t c = 0; c < plan.points.front().clearances.size(); ++c)
-    text += clearance_answer(plan, results, c) + least_area_answer(plan, results, c) +
-            beside_clearance(plan.points.front().clearances[c]) + ' ';
-  return text;
-}
-
-/// "0.012 % (one blast in 8,300; 95 % interval 0.009 to 0.016 %)". Of one that no rock came near, the bound.
-std::string hit_text(const ExposureSummary& found, std::uint64_t trials) {
-  const BlastBounds& hit = found.per_blast;
-  if (!(hit.upper > 0))
-    return fmt::format("below {} (no rock of {} blasts landed within {} m; 95 % bound)",
-                       percent(hit.interval.upper), trials, three_digits(found.radius));
-  const std::string interval = fmt::format("95 % interval {} to {} %", three_digits(100 * hit.interval.lower),
-                                           three_digits(100 * hit.interval.upper));
-  if (!hit.tells())
-    return fmt::format("between {} and {} ({}; {})", three_digits(100 * hit.lower), percent(hit.upper),
-                       interval, telling_text(hit));
-  return fmt::format("{} (one blast in {}; {})", percent(hit.upper), three_digits(1 / hit.upper), interval);
-}
-
-/// "Exposure house: a blast hits it with the probability 0.012 % (...), in a year of 50 blasts and occupied
-/// 100 % of the time with 0.6 %." Of traffic a vehicle, and how often a rock lands on the road.
-std::string exposure_answer(const Plan& plan, const Results& results, std::size_t e) {
-  const ExposurePlan& asked = plan.points.front().exposures[e];
-  const bool traffic = asked.has_traffic();
-  const auto at = [&](std::size_t p) -> const ExposureSummary& { return results.points[p].exposures.at(e); };
-  const auto over = [&](auto value_at, auto text_at) {
-    return over_points(plan, results, value_at, text_at);
-  };
-  std::string text = fmt::format(
-      "Exposure {}: a blast hits {} with the probability {}", asked.name, traffic ? "a vehicle" : "it",
-      over([&](std::size_t p) { return at(p).per_blast.upper; },
-           [&](std::size_t p) { return hit_text(at(p), results.points[p].trials); }));
-  if (asked.blasts_per_year != 1 || (asked.occupied != 1 && !traffic))
-    text += fmt::format(", in a year of {} blast{}{} with {}", three_digits(asked.blasts_per_year),
-                        asked.blasts_per_year == 1 ? "" : "s",
-                        traffic ? "" : fmt::format(" and occupied {} of the time", percent(asked.occupied)),
-                        over([&](std::size_t p) { return at(p).per_year; },
-                             [&](std::size_t p) {
-                               const bool none = !(at(p).per_blast.upper > 0);
-                               return (none ? "below " : "") +
-                                      percent(none ? at(p).per_year_interval.upper : at(p).per_year);
-                             }));
-  if (traffic)
-    text += fmt::format("; a rock lands on the road with {}",
-                        over([&](std::size_t p) { return at(p).road_hit; },
-                             [&](std::size_t p) { return percent(at(p).road_hit); }));
-  return text + '.';
-}
-
-std::string exposures_answer(const Plan& plan, const Results& results) {
-  std::string text;
-  for (std::size_t e = 0; e < plan.points.front().exposures.size(); ++e)
-    text += exposure_answer(plan, results, e) + ' ';
-  return text;
-}
-
-/// What the scenario asks: places, clearances and exposures come before the distances that every run has.
-std::string asked_answer(const Plan& plan, const Results& results) {
-  return barriers_answer(plan, results) + gates_answer(plan, results) + clearances_answer(plan, results) +
-         exposures_answer(plan, results) + trees_answer(plan, results);
 }
 
 /// What a reader asks of several runs: the clearances and exposures, or else the runout.
@@ -385,39 +215,72 @@ std::string lost_answer(const Plan& plan, const Results& results) {
       lost, results.points.size(), 100 * most_lost, lost < results.points.size() ? "At the others: " : "");
 }
 
+std::string distances_answer(const Plan& plan, const Results& results) {
+  return fmt::format(
+      "The {} that 95 % of the rocks do not exceed is {}; that of 99 % is {}; the greatest is {}.",
+      plan.all_end_at_landing() ? "distance of the first landing" : "runout",
+      runouts_of(plan, results, Statistic::p95), runouts_of(plan, results, Statistic::p99),
+      runouts_of(plan, results, Statistic::max));
+}
+
+/// What a run of rocks answers, of which some came through.
+void put_answers(const Plan& plan, const Results& results, AnswerTexts& texts) {
+  const bool is_sweep = results.points.size() > 1;
+  if (!is_sweep) {
+    texts.questions = questions(plan.points.front(), results.points.front());
+    texts.first = first_sentence(texts.questions);
+  } else if (!results.best) {
+    texts.first = barrier_choice_text(plan, results);
+  }
+  texts.asked = lost_answer(plan, results) + barriers_answer(plan, results) + gates_answer(plan, results) +
+                (is_sweep ? asked_over_points(plan, results) : beside_questions(plan, results)) +
+                trees_answer(plan, results);
+  texts.distances = distances_answer(plan, results);
+  texts.remarks = outer_answer(plan, results) + censored_answer(plan, results);
+  if (const PointResult& point = results.points.front(); point.observation && !is_sweep)
+    texts.remarks += " " + observation_text(*plan.points.front().observed, *point.observation);
+  if (has_weights(plan, results)) texts.remarks += fmt::format(" {}", meaning_of_weights);
+}
+
 }  // namespace
 
-std::string answer(const Plan& plan, const Results& results) {
+AnswerTexts answer_texts(const Plan& plan, const Results& results) {
+  AnswerTexts texts;
   const std::uint64_t rocks = results.rocks();
-  if (rocks == 0) return "No rock was released.";
+  if (rocks == 0) {
+    texts.asked = "No rock was released.";
+    return texts;
+  }
   std::uint64_t known = 0;
   for (const PointResult& point : results.points)
     known += point.groups.front().count - point.groups.front().faults;
-  std::string text;
-  if (results.best) text = best_point_text(plan, *results.best);
-  if (known == 0) {
-    text += fmt::format("All {} rocks failed.", rocks);
-  } else if (!plan.points.front().bodies.empty()) {
-    text += trees_answer(plan, results) + barriers_answer(plan, results) + bodies_answer(plan, results);
-  } else if (lost_points(plan, results) == results.points.size()) {
-    text += lost_answer(plan, results);
-  } else {
-    text += lost_answer(plan, results) + asked_answer(plan, results);
-    text += fmt::format(
-        "The {} that 95 % of the rocks do not exceed is {}; that of 99 % is {}; the greatest is {}.",
-        plan.all_end_at_landing() ? "distance of the first landing" : "runout",
-        runouts_of(plan, results, Statistic::p95), runouts_of(plan, results, Statistic::p99),
-        runouts_of(plan, results, Statistic::max));
-    text += outer_answer(plan, results);
-    text += censored_answer(plan, results);
-    if (const PointResult& first = results.points.front(); first.observation && results.points.size() == 1)
-      text += " " + observation_text(*plan.points.front().observed, *first.observation);
-    if (has_weights(plan, results)) text += fmt::format(" {}", meaning_of_weights);
-  }
+  if (results.best) texts.first = best_point_text(plan, *results.best);
+  if (known == 0)
+    texts.asked = fmt::format("All {} rocks failed.", rocks);
+  else if (!plan.points.front().bodies.empty())
+    texts.asked = trees_answer(plan, results) + barriers_answer(plan, results) + bodies_answer(plan, results);
+  else if (lost_points(plan, results) == results.points.size())
+    texts.asked = lost_answer(plan, results);
+  else
+    put_answers(plan, results, texts);
   if (known > 0 && known < rocks)
-    text += fmt::format(" {} rocks failed and are in no statistic.", rocks - known);
-  if (!results.ended_early.empty()) text += fmt::format(" The run ended early: {}.", results.ended_early);
-  return text;
+    texts.remarks += fmt::format(" {} rocks failed and are in no statistic.", rocks - known);
+  if (!results.ended_early.empty())
+    texts.remarks += fmt::format(" The run ended early: {}.", results.ended_early);
+  return texts;
+}
+
+std::string AnswerTexts::rest() const { return asked + distances + remarks; }
+
+std::string AnswerTexts::beside_table() const {
+  const std::string text =
+      asked + remarks.substr(asked.empty() ? 0 : std::min<std::size_t>(remarks.size(), 1));
+  return text.substr(std::min(text.find_first_not_of(' '), text.size()));
+}
+
+std::string answer(const Plan& plan, const Results& results) {
+  const AnswerTexts texts = answer_texts(plan, results);
+  return texts.first + (texts.first.empty() ? "" : " ") + texts.rest();
 }
 
 std::string assumed_elevations(const Plan& plan) {

@@ -4,15 +4,29 @@
 #include <string>
 #include <string_view>
 
+#include "results/questions.h"
 #include "results/results.h"
 
 namespace flyrock {
 
 struct Plan;
 
-/// The run in a few sentences: what barriers, gates and trees do, how far rocks went, the clearances and
-/// areas of the scenario, and which share of the rocks is censored. In a sweep, the least and the greatest
-/// number with their points.
+/// The run in a few sentences.
+struct AnswerTexts {
+  /// What the scenario asks, in one sentence: who is hit and how far a blast throws; of a sweep its best
+  /// point or the smallest barriers that hold. Empty if it asks nothing of this kind.
+  std::string first;
+  std::vector<Question> questions;  ///< the table after it, of a run without a sweep
+  std::string asked;                ///< barriers, gates and trees, and what stands beside the table
+  std::string distances;            ///< how far rocks went
+  std::string remarks;              ///< the share of censored rocks, measurements, weights, faults
+
+  std::string rest() const;  ///< all after `first`
+  /// The same without `distances`, for the terminal, which has a table of them.
+  std::string beside_table() const;
+};
+AnswerTexts answer_texts(const Plan& plan, const Results& results);
+/// All of them in one text. In a sweep, numbers are the least and the greatest, with their points.
 std::string answer(const Plan& plan, const Results& results);
 
 /// "The launch of `blocks` gives no elevation, 45 deg is assumed." for all groups for which this holds;

@@ -110,18 +110,18 @@ std::string best_point_text(const Plan& plan, const BestPoint& best) {
   const auto keep = std::count_if(best.points.begin(), best.points.end(),
                                   [](const BestPoint::Point& point) { return point.holds(); });
   const std::string question = fmt::format("Least {}{}: ", asked.least, limits_text(asked));
-  if (best.best.empty()) return fmt::format("{}none of {} points. ", question, best.points.size());
+  if (best.best.empty()) return fmt::format("{}none of {} points.", question, best.points.size());
   const std::string number = asked_text(best.points[best.best.front()].least, asked.least, asked.unit);
   const std::string of = fmt::format("{} of {} points can be chosen", keep, best.points.size());
   if (best.best.size() == 1)
-    return fmt::format("{}{}, with {}; {}. ", question, named_point(plan, best.best.front()), number, of);
+    return fmt::format("{}{}, with {}; {}.", question, named_point(plan, best.best.front()), number, of);
   constexpr std::size_t most_named = 4;  // more are too many for a sentence
   std::vector<std::string> names;
   for (std::size_t i = 0; i < std::min(most_named, best.best.size()); ++i)
     names.push_back(named_point(plan, best.best[i]));
   const std::string more =
       best.best.size() > most_named ? fmt::format(" and {} more", best.best.size() - most_named) : "";
-  return fmt::format("{}a tie of {}{}, each with {}; {}. ", question, fmt::join(names, ", "), more, number,
+  return fmt::format("{}a tie of {}{}, each with {}; {}.", question, fmt::join(names, ", "), more, number,
                      of);
 }
 

@@ -1,16 +1,20 @@
 #include "results/clearance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+
+#include "results/share.h"
 
 namespace flyrock {
 
 namespace {
 
 /// Adds the distances of rocks, or of the farthest rock of each trial, for a clearance. Shows each rock to
-/// `see`.
-template <class See>
-void add_distances(const std::vector<RockRecord>& rocks, const ClearancePlan& plan, Sample& sample, See see) {
+/// `see`, and the farthest one of each trial to `see_farthest`.
+template <class See, class SeeFarthest>
+void add_distances(const std::vector<RockRecord>& rocks, const ClearancePlan& plan, Sample& sample, See see,
+                   SeeFarthest see_farthest) {
   const RockStatistic& distance =
       rock_statistics[plan.of_max_distance ? rock_statistic("max_distance") : rock_statistic("runout")];
   std::optional<Bounded> farthest;  // in the trial
@@ -25,6 +29,7 @@ void add_distances(const std::vector<RockRecord>& rocks, const ClearancePlan& pl
                      : value;
     }
     if (i + 1 < rocks.size() && rocks[i + 1].trial == rocks[i].trial) continue;
+    if (farthest) see_farthest(*farthest);
     if (plan.per_blast && farthest) sample.add(*farthest, rocks[i].trial);
     farthest.reset();
   }
@@ -53,11 +58,15 @@ ClearanceTally::ClearanceTally(const std::vector<ClearancePlan>& plans) : plans_
 
 void ClearanceTally::add(const TrialRecords& chunk) {
   for (std::size_t c = 0; c < plans_.size(); ++c) {
-    add_distances(chunk.rocks, plans_[c], samples_[c], [&](const RockRecord& rock) {
+    const auto count = [&](const RockRecord& rock) {
       if (counted_) return;
       rocks_[c].rocks += rock.weight;
       rocks_[c].weights.add(rock.weight);
-    });
+    };
+    const auto count_trial = [&](const Bounded& farthest) {
+      if (!counted_) rocks_[c].farthest.push_back(farthest);
+    };
+    add_distances(chunk.rocks, plans_[c], samples_[c], count, count_trial);
     sectors_[c].add(chunk);
     least_areas_[c].add(chunk);
   }
@@ -88,6 +97,20 @@ bool ClearanceTally::needs_another_pass() {
   return more;
 }
 
+BlastsBeyond ClearanceTally::beyond(std::size_t clearance, double distance) const {
+  std::uint64_t blasts = 0, open = 0;
+  for (const Bounded& farthest : rocks_[clearance].farthest) {
+    if (farthest.value > distance)
+      ++blasts;
+    else if (farthest.censored)
+      ++open;
+  }
+  const Share share = share_of(blasts, rocks_[clearance].farthest.size(), open);
+  const WeightRange& weights = rocks_[clearance].weights;
+  const SimulatedBlasts simulated{share.value, share.interval, share.value, share.interval, weights, {}};
+  return {distance, rocks_[clearance].farthest.size(), bounds_of(simulated), share.censored};
+}
+
 std::vector<ClearanceSummary> ClearanceTally::summaries() const {
   std::vector<ClearanceSummary> summaries;
   for (std::size_t c = 0; c < plans_.size(); ++c) {
@@ -106,6 +129,9 @@ std::vector<ClearanceSummary> ClearanceTally::summaries() const {
     }
     summary.least_area = least_areas_[c].summary();
     if (plan.factor) summary.with_factor = *plan.factor * summary.distance.value;
+    if (plan.sectors == 0 && !std::isnan(summary.distance.value))
+      summary.beyond_distance = beyond(c, summary.distance.value);
+    if (plan.customary) summary.beyond_customary = beyond(c, *plan.customary);
   }
   return summaries;
 }

@@ -2,13 +2,24 @@
 // Clearances: distances that rocks, or the farthest rock of each blast, exceed with a given probability.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "batch/clearance_check.h"
+#include "results/blast_bounds.h"
 #include "results/least_area.h"
 #include "results/unknown.h"
 
 namespace flyrock {
+
+/// How many blasts throw at least one rock beyond a distance.
+struct BlastsBeyond {
+  double distance = unknown;  ///< m
+  std::uint64_t blasts = 0;   ///< n
+  /// k of n trials, exact (Clopper and Pearson); with weights the bounds for the greatest of them.
+  BlastBounds share{unknown, unknown, {unknown, unknown}, 1};
+  bool is_lower_bound = false;  ///< a rock that was cut short nearer may have gone beyond
+};
 
 struct ClearanceSummary {
   std::uint64_t count =
@@ -23,6 +34,9 @@ struct ClearanceSummary {
   Interval interval{unknown, unknown};  ///< with trials_needed if too few trials reach beyond the distance
   /// factor x distance; NaN without a factor. The factor is applied only here and not to the interval.
   double with_factor = unknown;
+
+  BlastsBeyond beyond_distance;                  ///< without sectors, if the distance is given
+  std::optional<BlastsBeyond> beyond_customary;  ///< if the plan has a customary distance
 
   AreaSummary area;      ///< if the plan asks for sectors
   LeastArea least_area;  ///< if the plan asks for it
@@ -51,8 +65,10 @@ class ClearanceTally {
   struct Counted {
     double rocks = 0;
     WeightRange weights;
+    std::vector<Bounded> farthest;  ///< distance of each trial that has a rock
   };
   double probability(std::size_t clearance) const;
+  BlastsBeyond beyond(std::size_t clearance, double distance) const;
 
   std::vector<ClearancePlan> plans_;
   std::vector<Sample> samples_;       ///< distances

@@ -21,7 +21,7 @@ constexpr double bootstrap_tail = 0.025;
 double sine_to_line(const Vec3& pole, const Vec3& line) { return std::abs(pole.dot(line)); }
 
 /// The value below which a share of sorted numbers lies.
-double quantile(std::vector<double>& numbers, double share) {
+double quantile_of_draws(std::vector<double>& numbers, double share) {
   std::sort(numbers.begin(), numbers.end());
   const double at = share * static_cast<double>(numbers.size() - 1);
   const auto low = static_cast<std::size_t>(at);
@@ -31,7 +31,7 @@ double quantile(std::vector<double>& numbers, double share) {
 
 Estimate estimate(double value, std::vector<double> again) {
   if (again.empty()) return {value, value, value};
-  return {value, quantile(again, bootstrap_tail), quantile(again, 1 - bootstrap_tail)};
+  return {value, quantile_of_draws(again, bootstrap_tail), quantile_of_draws(again, 1 - bootstrap_tail)};
 }
 
 /// How often each of n planes is drawn in draw `number` of the bootstrap.
@@ -178,7 +178,7 @@ JointSurvey survey_of(const std::vector<SurveyedPlane>& planes, const SurveyOpti
     SurveyedSet& set = survey.sets.emplace_back();
     set.fit = survey.mixture.sets[s];
     std::tie(set.dip, set.direction) = dip_of(set.fit.mean);
-    set.cone = quantile(again[s].angles, 1 - 2 * bootstrap_tail);
+    set.cone = quantile_of_draws(again[s].angles, 1 - 2 * bootstrap_tail);
     set.k = estimate(set.fit.k, again[s].k);
     set.share = estimate(set.fit.share, again[s].shares);
     set.planes =

@@ -1,9 +1,11 @@
 #include "results/measure_tally.h"
 
+#include "scenario/trial_design.h"
+
 namespace flyrock {
 
 MeasureTally::MeasureTally(const Scenario& scenario)
-    : rocks_(group_names(scenario)),
+    : rocks_(group_names(scenario), trials_of_unit(scenario)),
       crossings_(scenario),
       clearances_(scenario.clearances),
       exposures_(scenario) {

@@ -101,7 +101,8 @@ class PointTally {
     measures_.put(result_, trials);
     result_.risk = risk_.summary();
     result_.censored = censored_.places();
-    if (simulated_) result_.observation = compare(*scenario_.observed, simulated_->result(), scenario_.seed);
+    if (simulated_)
+      result_.observation = compare(*scenario_.observed, simulated_->result(), scenario_.streams.seed);
     if (diameters_.size() > 0)
       result_.diameters = {diameters_.quantile(0.05).value, diameters_.quantile(0.5).value};
     for (std::size_t g = 0; g < result_.groups.size() && g < azimuths_.size(); ++g)

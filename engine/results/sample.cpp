@@ -269,7 +269,7 @@ Interval Sample::mean_interval(double confidence) const {
     if (interval.trials_needed > 0) return interval;
     const double clustered = std::sqrt(m / (m - 1) * trial_squares_) / total();
     interval.design_effect = error > 0 ? std::max(1.0, clustered * clustered / (error * error)) : 1;
-    error = std::max(error, clustered);
+    error = questions_.are_replicates ? clustered : std::max(error, clustered);
   }
   const boost::math::students_t_distribution<> student(effective_trials - 1);
   const double half = boost::math::quantile(boost::math::complement(student, 0.5 * (1 - confidence))) * error;

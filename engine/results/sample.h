@@ -47,6 +47,9 @@ struct Questions {
   };
   std::vector<double> quantiles;      ///< p from 0 to 1
   std::vector<IntervalOf> intervals;  ///< of quantiles
+  /// The trials are replicates of a design (random/sampling.h): their scatter is the error of the mean, also
+  /// where it is less than that of independent numbers.
+  bool are_replicates = false;
 };
 
 /// x_0 <= ... <= x_{n-1}. Among equal values, known ones come before censored ones.

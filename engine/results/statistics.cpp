@@ -59,8 +59,11 @@ Intervals intervals_of(const Sample& sample) {
   return result;
 }
 
-GroupTally::GroupTally(const std::string& name)
-    : name_(name), samples_(rock_statistic_count, Sample(stated_questions())) {}
+GroupTally::GroupTally(const std::string& name, std::uint64_t unit) : name_(name), unit_(unit) {
+  Questions questions = stated_questions();
+  questions.are_replicates = unit > 1;
+  samples_.assign(rock_statistic_count, Sample(questions));
+}
 
 void GroupTally::add(const RockRecord& rock) {
   const bool fault = is_fault(rock.reason);
@@ -78,7 +81,7 @@ void GroupTally::add(const RockRecord& rock) {
                   rock.weight * rock.travel.distance[m]);
   }
   for (std::size_t q = 0; q < samples_.size() && !fault; ++q)
-    samples_[q].add(bounded(rock, rock_statistics[q]), rock.trial, rock.weight);
+    samples_[q].add(bounded(rock, rock_statistics[q]), rock.trial / unit_, rock.weight);
 }
 
 bool GroupTally::needs_another_pass() {
@@ -122,9 +125,10 @@ GroupSummary GroupTally::summary() const {
   return summary;
 }
 
-RockTally::RockTally(const std::vector<std::string>& groups) : tallies_{GroupTally("")} {
+RockTally::RockTally(const std::vector<std::string>& groups, std::uint64_t unit)
+    : tallies_{GroupTally("", unit)} {
   if (groups.size() > 1)
-    for (const std::string& group : groups) tallies_.emplace_back(group);
+    for (const std::string& group : groups) tallies_.emplace_back(group, unit);
 }
 
 void RockTally::add(const TrialRecords& chunk) {

@@ -69,7 +69,8 @@ struct RunoutExtent {
 /// Summarises the rocks of one group from passes.
 class GroupTally {
  public:
-  explicit GroupTally(const std::string& name);
+  /// `unit`: the trials that are one independent unit of a number; more than one: a replicate of a design.
+  explicit GroupTally(const std::string& name, std::uint64_t unit = 1);
   void add(const RockRecord& rock);
   bool needs_another_pass();
   /// After the first pass.
@@ -79,6 +80,7 @@ class GroupTally {
  private:
   bool counted_ = false;  ///< first pass is done
   std::string name_;
+  std::uint64_t unit_;
   WeightRange weights_;
   double weight_ = 0;                 ///< of the rocks without faults
   ShareTally reasons_{stop_reasons};  ///< of all rocks
@@ -90,7 +92,7 @@ class GroupTally {
 /// Summarises rocks: all of them first, then each group if there is more than one. See read_in_passes().
 class RockTally {
  public:
-  explicit RockTally(const std::vector<std::string>& groups);
+  explicit RockTally(const std::vector<std::string>& groups, std::uint64_t unit = 1);
   void add(const TrialRecords& chunk);
   bool needs_another_pass();
   /// In the order of summaries(), after the first pass.

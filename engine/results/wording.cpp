@@ -62,6 +62,12 @@ std::string display_per_trial(const Shares& shares) {
                      telling_text(bounds));
 }
 
+std::string value_text(const SweepAxis& axis, double value) {
+  if (axis.is_choice()) return axis.label(value);
+  const ReadableUnit unit = readable_unit(axis.unit);
+  return fmt::format("{:.6g}{}{}", unit.per_si * value, unit.name.empty() ? "" : " ", unit.name);
+}
+
 namespace {
 
 /// The values of a point, each after the name of its axis and `between`.
@@ -70,12 +76,7 @@ std::string values_text(const Plan& plan, std::size_t point, const char* between
   std::vector<std::string> values;
   for (std::size_t a = 0; a < plan.axes.size(); ++a) {
     const SweepAxis& axis = plan.axes[a];
-    const double value = plan.at[point][a];
-    const ReadableUnit unit = readable_unit(axis.unit);
-    const std::string text = axis.is_choice() ? axis.label(value)
-                                              : fmt::format("{:.6g}{}{}", unit.per_si * value,
-                                                            unit.name.empty() ? "" : " ", unit.name);
-    values.push_back(name_of_axis(axis.name) + between + text);
+    values.push_back(name_of_axis(axis.name) + between + value_text(axis, plan.at[point][a]));
   }
   return fmt::format("{}", fmt::join(values, ", "));
 }

@@ -30,6 +30,8 @@ std::string telling_text(const BlastBounds& bounds);
 /// not tell it, "between 3.25 and 96.3 % (95 % interval 2.7 to 97.6 %; weight 1.2 or less would tell)".
 std::string display_per_trial(const Shares& shares);
 
+/// "2 m", "coulomb": a value of an axis of a sweep, in the unit that people read.
+std::string value_text(const SweepAxis& axis, double value);
 /// "materials.rock.friction.mu = 0.2": a point of a sweep by its values.
 std::string point_text(const Plan& plan, std::size_t point);
 /// "mu 0.2": the same within a sentence.

@@ -10,6 +10,8 @@
 #include "scenario/decode_sections.h"
 #include "scenario/normalise.h"
 #include "scenario/sweep.h"
+#include "scenario/sweep_rows.h"
+#include "scenario/trial_design.h"
 
 namespace flyrock {
 
@@ -17,8 +19,16 @@ namespace {
 
 constexpr double most_points = 10000;
 
-bool check_axes(const std::vector<SweptValue>& sweeps, Diagnostics& diagnostics) {
-  double points = 1;
+bool check_axes(const std::vector<SweptValue>& sweeps, const std::optional<SweepRows>& rows,
+                Diagnostics& diagnostics) {
+  double points = rows ? static_cast<double>(rows->count()) : 1;
+  if (rows && !rows->product && !sweeps.empty()) {
+    diagnostics.error(
+        sweeps.front().at, sweeps.front().path,
+        "is swept beside the rows of `sweep`: expected a column there, or `product: true`, which runs each "
+        "row at each of its values");
+    return false;
+  }
   for (const SweptValue& sweep : sweeps) {
     if (sweep.values.empty()) return false;  // reported
     points *= static_cast<double>(sweep.values.size());
@@ -59,17 +69,20 @@ class PlanDecoder {
 
   std::optional<Plan> decode() {
     if (!Node::root(tree_).expect_map(diagnostics_)) return std::nullopt;
+    const std::size_t errors_before = diagnostics_.errors_given();
+    rows_ = read_sweep_rows(tree_, folder_, diagnostics_);
+    if (diagnostics_.errors_given() > errors_before) return std::nullopt;
     sweeps_ = find_sweeps(tree_, diagnostics_);
-    if (!check_axes(sweeps_, diagnostics_)) return std::nullopt;
+    if (!check_axes(sweeps_, rows_, diagnostics_)) return std::nullopt;
     std::vector<std::size_t> sizes;
+    for (const SweptValue& sweep : sweeps_) sizes.push_back(sweep.values.size());
+    const std::vector<std::vector<std::size_t>> points = with_rows(grid_points(sizes));
     for (const SweptValue& sweep : sweeps_) {
       swept_.insert(sweep.path);
-      sizes.push_back(sweep.values.size());
       steps_.emplace_back(sweep.values.size());
       resolved_values_.emplace_back(sweep.values.size());
     }
     for (const auto& [name, at] : plugin_files(tree_, diagnostics_)) plan_.plugin_files.push_back(name);
-    const std::vector<std::vector<std::size_t>> points = grid_points(sizes);
     for (const auto& point : points) decode_point(point);
     if (diagnostics_.has_errors()) return std::nullopt;
     refuse_too_many_trials();
@@ -81,8 +94,30 @@ class PlanDecoder {
   }
 
  private:
+  /// The columns of the rows become axes, in front of the others; each row stands at each point of the grid.
+  std::vector<std::vector<std::size_t>> with_rows(const std::vector<std::vector<std::size_t>>& grid) {
+    if (!rows_) return grid;
+    const std::size_t columns = rows_->columns.size();
+    sweeps_.insert(sweeps_.begin(), rows_->columns.begin(), rows_->columns.end());
+    std::vector<std::vector<std::size_t>> points;
+    for (std::size_t row = 0; row < rows_->count(); ++row)
+      for (const std::vector<std::size_t>& at : grid) {
+        std::vector<std::size_t>& point = points.emplace_back(columns, row);
+        point.insert(point.end(), at.begin(), at.end());
+      }
+    return points;
+  }
+
+  bool is_of_row(std::size_t axis) const { return rows_ && axis < rows_->columns.size(); }
+
   void decode_point(const std::vector<std::size_t>& point) {
-    for (std::size_t a = 0; a < sweeps_.size(); ++a) *sweeps_[a].slot = sweeps_[a].values[point[a]];
+    for (std::size_t a = 0; a < sweeps_.size(); ++a) {
+      const SweptValue& sweep = sweeps_[a];
+      if (sweep.slot)
+        *sweep.slot = sweep.values[point[a]];
+      else
+        set_path(tree_, sweep.path, sweep.values[point[a]], sweep.values[point[a]].at, diagnostics_);
+    }
     DecodeContext context{registry_, folder_, diagnostics_, swept_, earlier_errors_};
     context.grounds = grounds_;
     Value tree = normalise(context, Node::root(tree_));
@@ -125,6 +160,7 @@ class PlanDecoder {
       const Value tree = normalise(context, Node::root(changed));
       auto own = std::make_shared<Scenario>(decode_document(context, Node::root(tree)));
       if (!is_sound()) continue;
+      cover_alike(regular, *own);
       plan_.files.merge(context.files);
       const std::vector<std::string> idle = settings_not_used(branch, find_not_used(Node::root(tree), *own));
       not_used.insert(not_used.end(), idle.begin(), idle.end());
@@ -178,9 +214,17 @@ class PlanDecoder {
                                            [](const Step& step) { return step.number.has_value(); });
       for (std::size_t i = 0; i < steps_[a].size(); ++i) {
         const Step& step = steps_[a][i];
-        axis.values.push_back(all_numbers ? step.number->si : static_cast<double>(i));
-        if (all_numbers) axis.unit = step.number->unit;
-        if (!all_numbers) axis.labels.push_back(unique(step.label, axis.labels));
+        if (all_numbers) {
+          axis.values.push_back(step.number->si);
+          axis.unit = step.number->unit;
+          continue;
+        }
+        // A row may have the choice of another one; a value of a sweep is one of its own.
+        const auto known = std::find(axis.labels.begin(), axis.labels.end(), step.label);
+        const bool is_known = is_of_row(a) && known != axis.labels.end();
+        axis.values.push_back(static_cast<double>(
+            is_known ? static_cast<std::size_t>(known - axis.labels.begin()) : axis.labels.size()));
+        if (!is_known) axis.labels.push_back(unique(step.label, axis.labels));
       }
       plan_.axes.push_back(std::move(axis));
     }
@@ -189,6 +233,21 @@ class PlanDecoder {
       for (std::size_t a = 0; a < sweeps_.size(); ++a)
         plan_.at.back().push_back(plan_.axes[a].values[point[a]]);
     }
+    add_labels(points);
+  }
+
+  /// The labels of the rows, as an axis of their own.
+  void add_labels(const std::vector<std::vector<std::size_t>>& points) {
+    if (!rows_ || rows_->labels.empty()) return;
+    SweepAxis axis{.path = "sweep.label", .values = {}, .name = "row"};
+    for (std::size_t row = 0; row < rows_->labels.size(); ++row) {
+      const std::string& label = rows_->labels[row];
+      axis.values.push_back(static_cast<double>(row));
+      axis.labels.push_back(unique(label.empty() ? fmt::format("row {}", row + 1) : label, axis.labels));
+    }
+    plan_.axes.push_back(std::move(axis));
+    for (std::size_t p = 0; p < points.size(); ++p)
+      plan_.at[p].push_back(static_cast<double>(points[p].front()));
   }
 
   /// "newton", and "newton 2" for a second section of this type.
@@ -220,13 +279,40 @@ class PlanDecoder {
                       points, most));
   }
 
-  /// Puts the sweeps back into the resolved tree of the first point.
+  /// Puts the sweeps back into the resolved tree of the first point. The rows stay in their section.
   void write_sweeps() {
+    if (rows_) write_rows();
     for (std::size_t a = 0; a < sweeps_.size(); ++a) {
+      if (is_of_row(a)) continue;
       Map sweep;
       put(sweep, "sweep", list_value(std::move(resolved_values_[a])));
       *find_path(plan_.resolved, sweeps_[a].path) = map_value(std::move(sweep));
     }
+  }
+
+  void write_rows() {
+    List list;
+    for (std::size_t row = 0; row < rows_->count(); ++row) {
+      Map map;
+      if (!rows_->labels.empty()) {
+        Value label;
+        label.data = rows_->labels[row];
+        put(map, "label", std::move(label));
+      }
+      for (std::size_t a = 0; a < rows_->columns.size(); ++a)
+        put(map, sweeps_[a].stream, resolved_values_[a][row]);
+      list.push_back(map_value(std::move(map)));
+    }
+    Map section;
+    put(section, "rows", list_value(std::move(list)));
+    Value product;
+    product.data = true;
+    if (rows_->product) put(section, "product", std::move(product));
+    if (Value* there = plan_.resolved.find("sweep"))
+      *there = map_value(std::move(section));
+    else
+      put(*plan_.resolved.map(), "sweep", map_value(std::move(section)));
+    if (!rows_->file.empty()) plan_.files[rows_->file] = rows_->path_of_file;
   }
 
   /// Resolves `at` of expectations: the axes by their paths, and the values exactly as the points have them.
@@ -253,7 +339,8 @@ class PlanDecoder {
       if (entry.key != sweeps_[a].path && entry.key != sweeps_[a].stream) continue;
       const SweepAxis& axis = plan_.axes[a];
       for (std::size_t i = 0; i < axis.values.size(); ++i)
-        if (is_at(entry, value, steps_[a][i]) || (axis.is_choice() && axis.labels[i] == text_at(entry)))
+        if (is_at(entry, value, steps_[a][i]) ||
+            (axis.is_choice() && axis.label(axis.values[i]) == text_at(entry)))
           return {sweeps_[a].path, axis.values[i]};
       entry.error(diagnostics_,
                   fmt::format("the sweep of `{}` has no value {}{}", entry.key, shown(*entry.value),
@@ -283,8 +370,9 @@ class PlanDecoder {
   const Registry& registry_;
   const std::string& folder_;
   Diagnostics& diagnostics_;
-  const bool earlier_errors_;  // or another step before this one
-  std::vector<SweptValue> sweeps_;
+  const bool earlier_errors_;       // or another step before this one
+  std::vector<SweptValue> sweeps_;  ///< columns of rows first
+  std::optional<SweepRows> rows_;
   std::set<std::string> swept_;
   std::vector<std::vector<Step>> steps_;  ///< of each axis
   std::vector<List> resolved_values_;     ///< for each axis and step

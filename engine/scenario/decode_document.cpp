@@ -8,6 +8,7 @@
 #include "scenario/measure.h"
 #include "scenario/normalise.h"
 #include "scenario/plan.h"
+#include "scenario/trial_design.h"
 
 namespace flyrock {
 
@@ -27,7 +28,7 @@ class DocumentDecoder {
       scenario_.materials = decode_materials(context_, *materials);
     DecodedTerrain terrain;
     if (const auto node = root_.find("terrain")) {
-      terrain = decode_terrain(context_, *node, scenario_.materials, !flies, scenario_.seed);
+      terrain = decode_terrain(context_, *node, scenario_.materials, !flies, scenario_.streams.seed);
       scenario_.terrain = terrain.plan;
     }
     if (const auto pairs = root_.find("pairs"))
@@ -64,13 +65,13 @@ class DocumentDecoder {
     scenario_.output = decode_output(context_, *root_.find("output"), names_for_series());
     if (scenario_.observed && !scenario_.output.rocks)
       error_at("observed", "compares each rock, which needs `output.rocks: true`");
-    check_sweep();
     if (const auto expect = root_.find("expect"))
       scenario_.expect = decode_expect(*expect, measure_names(root_, scenario_.dimension));
     if (const auto answer = root_.find("answer"))
       scenario_.answer = decode_answer(*answer, measure_names(root_, scenario_.dimension));
     scenario_.draws = context_.draws;
     spread_runs();
+    cover_draws(root_, scenario_, context_.diagnostics);
     return std::move(scenario_);
   }
 
@@ -87,7 +88,7 @@ class DocumentDecoder {
       if (section.text("method") == name_of(method)) scenario_.method = method;
     if (section.constant("dimension") == 3) scenario_.dimension = context_.dimension = 3;
     scenario_.title = section.text("title");
-    scenario_.seed = static_cast<std::uint64_t>(section.constant("seed"));
+    scenario_.streams.seed = static_cast<std::uint64_t>(section.constant("seed"));
     scenario_.trials = static_cast<std::uint64_t>(section.constant("trials"));
     if (section.given("outer"))  // a number beyond its limits is already reported
       scenario_.outer = static_cast<std::uint64_t>(
@@ -101,8 +102,10 @@ class DocumentDecoder {
   void decode_head(const Node& node) {
     const Section section = decode_section(context_, node, "document");
     DocumentPlan& head = scenario_.document;
-    head = {section.text("number"), section.text("site"), section.text("client"), section.text("author"),
-            section.text("date")};
+    head = {section.text("number"),   section.text("site"),
+            section.text("client"),   section.text("author"),
+            section.text("date"),     section.text("checked_by"),
+            section.text("revision"), section.constant("signature") != 0};
   }
 
   /// Reports what the method cannot do.
@@ -115,15 +118,6 @@ class DocumentDecoder {
     for (const char* key : {"bodies", "pairs"})
       error_at(key,
                "belongs to `nscd` and `lumped_mass`; `ballistic` flies rocks to the first ground they meet");
-  }
-
-  void check_sweep() {
-    const auto node = root_.find("sweep");
-    const auto design = node ? node->find("design") : std::nullopt;
-    const std::string* name = design ? design->value->text() : nullptr;
-    if (name && (*name == "latin_hypercube" || *name == "sobol"))
-      design->error(context_.diagnostics,
-                    fmt::format("this version has no design `{}`, expected `grid`", *name));
   }
 
   /// The names of bodies or groups; none if one of them has no name, which is an error.

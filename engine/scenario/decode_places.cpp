@@ -168,6 +168,7 @@ std::vector<ClearancePlan> decode_clearances(DecodeContext& context, const Node&
     if (section.given("factor")) plan.factor = section.constant("factor");
     if (section.given("customary")) plan.customary = section.constant("customary");
     if (section.given("known_throw")) plan.known_throw = section.constant("known_throw");
+    if (section.given("blasts_per_year")) plan.blasts_per_year = section.constant("blasts_per_year");
     plan.per_blast = section.text("per") == "blast";
     plan.of_max_distance = section.text("of") == "max_distance";
     decode_sectors(context, item, section, plan);
@@ -187,6 +188,8 @@ std::vector<ExposurePlan> decode_exposures(DecodeContext& context, const Node& n
     plan.area = section.constant("area");
     if (section.given("length")) plan.length = section.constant("length");
     plan.blasts_per_year = section.constant("blasts_per_year");
+    if (section.given("limit_per_blast")) plan.limit_per_blast = section.constant("limit_per_blast");
+    if (section.given("limit_per_year")) plan.limit_per_year = section.constant("limit_per_year");
     plan.energy = section.constant("energy");
     plan.occupied = decode_occupied(context, item, section);
     plan.is_stream = section.given("vehicles_per_hour");

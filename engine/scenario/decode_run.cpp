@@ -24,6 +24,14 @@ SolverPlan decode_solver(DecodeContext& context, const Node& node) {
   if (stepped && one_by_one)
     node.find("impacts")->error(context.diagnostics,
                                 "`one_by_one` needs the exact instant of each impact: `flight: exact`");
+  DensePlan dense{.bodies = section.text("bodies")};
+  if (dense.bodies == "dense" && (stepped || one_by_one))
+    node.find("bodies")->error(context.diagnostics,
+                               "dense steps need `flight: exact` and `impacts: together`");
+  if (stepped) dense.bodies = "exact";
+  if (!chosen) dense.time_step = section.constant("time_step");
+  if (find_given(node, "tolerance")) dense.tolerance = section.constant("tolerance");
+  if (find_given(node, "max_iterations")) dense.max_iterations = section.integer("max_iterations");
   return {.name = section.text("name"),
           .time_step = chosen ? std::nullopt : std::optional(section.constant("time_step")),
           .step_tolerance = section.constant("step_tolerance"),
@@ -32,7 +40,8 @@ SolverPlan decode_solver(DecodeContext& context, const Node& node) {
           .max_iterations = section.integer("max_iterations"),
           .flight = stepped ? FlightMode::stepped : FlightMode::exact,
           .one_by_one = one_by_one,
-          .rest_speed = section.constant("rest_speed")};
+          .rest_speed = section.constant("rest_speed"),
+          .dense = dense};
 }
 
 StopPlan decode_stop(DecodeContext& context, const Node& node) {

@@ -66,7 +66,7 @@ class Normaliser {
                         [&](const auto& node) { return normalise_section(context_, node, "solver", {}); });
     put_part("stop", true, [&](const Node& node) { return normalise_section(context_, node, "stop", {}); });
     put_part_or_default("output", [&](const auto& node) { return output(node); });
-    section("sweep", {});
+    put_part("sweep", false, [&](const Node& node) { return sweep(node); });
     put_part("expect", false, [&](const Node& node) {
       return normalise_expectations(context_, node, measure_names(root_, context_.dimension));
     });
@@ -79,6 +79,13 @@ class Normaliser {
   }
 
  private:
+  /// The rows stay as they are written: scenario/sweep_rows.h reads them before.
+  Value sweep(const Node& node) {
+    Value section = normalise_section(context_, node, "sweep", {});
+    if (const auto rows = node.find("rows"); rows && section.map()) put(*section.map(), *rows, *rows->value);
+    return section;
+  }
+
   /// Places in plan have two coordinates, in 3D too.
   Value exposures(const Node& node) {
     const int dimension = std::exchange(context_.dimension, 2);

@@ -186,7 +186,7 @@ void find_rock_contacts(const Node& root, const Scenario& scenario, std::vector<
 void find_keys_of_bodies(const Node& root, const Scenario& scenario, std::vector<std::string>& list) {
   if (const auto solver = find_given(root, "solver"))
     for (const char* key :
-         {"name", "time_step", "step_tolerance", "theta", "tolerance", "max_iterations", "flight", "impacts"})
+         {"name", "time_step", "step_tolerance", "theta", "tolerance", "max_iterations", "flight", "impacts", "bodies"})
       if (find_given(*solver, key))
         list.push_back(fmt::format("solver.{} (a lumped mass has no contact scheme)", key));
   const auto find_spin = [&](const std::optional<Node>& node) {

@@ -274,8 +274,9 @@ struct ClearancePlan {
   int sectors = 0;                         ///< 3D: number of sectors by azimuth; 0: no sectors
   bool least_area = false;                 ///< 3D: also the area of least size
   double radius = 0;                       ///< m, of its kernel; 0: chosen (results/least_area.h)
-  std::optional<double> customary = {};    ///< m, the legal or customary distance, to stand beside it
+  std::optional<double> customary = {};    ///< m, the legal or customary distance: the limit of the distance
   std::optional<double> known_throw = {};  ///< m, the farthest throw that is known of the site
+  std::optional<double> blasts_per_year = {};
   std::optional<Vec2> about =
       {};  ///< m: origin of distances and azimuths; absent: distances from the hull of all release places
 
@@ -299,7 +300,8 @@ struct ExposurePlan {
   double occupied = 1;     ///< part of the time in which someone is there, on a line in each of its lengths
   bool is_stream = false;  ///< of vehicles, by `vehicles_per_hour`
   double blasts_per_year = 1;
-  double energy = 0;  ///< J, of the landings that count
+  std::optional<double> limit_per_blast = {}, limit_per_year = {};  ///< probabilities that the user allows
+  double energy = 0;                                                ///< J, of the landings that count
 
   /// A stream of vehicles on a line.
   bool has_traffic() const { return is_stream && !line.empty(); }
@@ -314,6 +316,14 @@ inline constexpr double beyond_known_throw = 1.5;
 
 enum class FlightMode { exact, stepped };
 
+/// Dense steps (world/dense_step.cpp): when they are made, and what they take where the scenario gives nothing.
+struct DensePlan {
+  std::string bodies = "auto";  ///< or "exact", "dense"
+  double time_step = 4e-3;  ///< s
+  double tolerance = 1e-4;
+  int max_iterations = 100;
+};
+
 struct SolverPlan {
   std::string name = "auto";        ///< solver/solve_settings.h
   std::optional<double> time_step;  ///< s; absent: chosen by error (world/step_control.h)
@@ -324,6 +334,7 @@ struct SolverPlan {
   FlightMode flight = FlightMode::exact;
   bool one_by_one = false;   ///< impacts at one instant, not together
   double rest_speed = 0.02;  ///< m/s
+  DensePlan dense;
 };
 
 struct StopPlan {
@@ -389,7 +400,8 @@ struct AnswerPlan {
 
 /// Who asked for a run and who answers for it, as the head of the report says.
 struct DocumentPlan {
-  std::string number, site, client, author, date;  ///< empty: not given
+  std::string number, site, client, author, date, checked_by, revision;  ///< empty: not given
+  bool signature = false;                                                ///< lines to sign on
 };
 
 struct Scenario;
@@ -416,7 +428,7 @@ struct Scenario {
   DocumentPlan document;
   int dimension = 2;
   Method method = Method::nscd;
-  std::uint64_t seed = 1;
+  Streams streams;
   std::uint64_t trials = 1;  ///< of all runs
   std::uint64_t outer = 1;   ///< runs with equally many trials each, one after the other (results/outer.h)
   bool rock_contacts = false;

@@ -22,7 +22,7 @@ ScenarioError error_at_key(const std::string& text) {
 void complete_scattered(const Scenario& scenario, const DrawKey& key, Blast& blast) {
   std::vector<std::pair<BlastField, double>> later;
   for (const auto& [field, number] : scenario.blast->scatter) {
-    const double added = number.value(scenario.draws, scenario.seed, key);
+    const double added = number.value(scenario.draws, scenario.streams, key);
     if (std::isnan(blast[field]))
       later.emplace_back(field, added);
     else
@@ -32,7 +32,7 @@ void complete_scattered(const Scenario& scenario, const DrawKey& key, Blast& bla
   for (const auto& [field, added] : later) blast[field] += added;
   if (scenario.blast->forced.empty()) return;
   for (const auto& [field, number] : scenario.blast->forced)
-    force(field, number.value(scenario.draws, scenario.seed, key), blast);
+    force(field, number.value(scenario.draws, scenario.streams, key), blast);
   complete(blast);
 }
 
@@ -41,14 +41,14 @@ void complete_scattered(const Scenario& scenario, const DrawKey& key, Blast& bla
 double time_of_hole(const Scenario& scenario, const DrawKey& key) {
   const double time = scenario.blast->pattern.time(hole_of(key));
   const auto& scatter = scenario.blast->time_scatter;
-  return scatter ? std::max(0.0, time + scatter->value(scenario.draws, scenario.seed, key)) : time;
+  return scatter ? std::max(0.0, time + scatter->value(scenario.draws, scenario.streams, key)) : time;
 }
 
 Blast blast_at(const Scenario& scenario, const DrawKey& key) {
   Blast blast;
   if (!scenario.blast) return blast;
   for (const auto& [field, value] : scenario.blast->fields)
-    blast[field] = value.value(scenario.draws, scenario.seed, key);
+    blast[field] = value.value(scenario.draws, scenario.streams, key);
   blast.is_anfo = scenario.blast->is_anfo;
   const bool measured = scenario.blast->has_holes();
   if (measured) put_own(scenario.blast->pattern.measured[static_cast<std::size_t>(hole_of(key))], blast);

@@ -24,7 +24,7 @@ int branch_of_blast(const Scenario& scenario, std::uint64_t trial) {
   if (scenario.branches.empty()) return 0;
   DrawKey key;
   key.trial = trial;
-  return branch_at(scenario, true, RandomStream(scenario.seed, "branches", key).uniform(), 1);
+  return branch_at(scenario, true, RandomStream(scenario.streams, "branches", key).uniform(), 1);
 }
 
 int branch_of_hole(const Scenario& scenario, std::uint64_t trial, std::uint64_t hole) {
@@ -36,7 +36,7 @@ int branch_of_hole(const Scenario& scenario, std::uint64_t trial, std::uint64_t 
   DrawKey key;
   key.trial = trial;
   key.hole = hole + 1;
-  return branch_at(scenario, false, RandomStream(scenario.seed, "branches", key).uniform(), regular);
+  return branch_at(scenario, false, RandomStream(scenario.streams, "branches", key).uniform(), regular);
 }
 
 }  // namespace flyrock

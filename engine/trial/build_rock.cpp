@@ -58,7 +58,7 @@ double speed_factor(const Scenario& scenario, const TrialRock& rock, double spee
   const auto& by_size = scenario.rocks[static_cast<std::size_t>(rock.group)].launch_by_size;
   if (!by_size || speed == 0) return 1;
   const auto value = [&](const Number& number) {
-    return number.value(scenario.draws, scenario.seed, rock.key);
+    return number.value(scenario.draws, scenario.streams, rock.key);
   };
   if (!(diameter > 0))
     throw ScenarioError(fmt::format("rocks.{}.launch_by_size", rock.group),
@@ -141,7 +141,7 @@ const MadeBody<D>& TrialBuilder<D>::made_body(const RockPlan<D>& plan, const Tri
                           "neither the population nor `shape` says what shape a rock has");
     made.shape = values_of(*group.shape, scenario_, rock.key);
     if (last.serves(made)) return last;
-    RandomStream rng(scenario_.seed, streams_[rock.group].shape, rock.key);
+    RandomStream rng(scenario_.streams, streams_[rock.group].shape, rock.key);
     shape = at_path(group.shape->path,
                     [&] { return ask_shape<D>(*instances_.groups[rock.group].shape, made.shape, rng); });
     made.is_drawn = rng.drawn();
@@ -183,7 +183,7 @@ void TrialBuilder<D>::turn_rock(const RockPlan<D>& plan, TrialRock& rock, Body<D
 
 template <int D>
 void TrialBuilder<D>::turn_at_random(TrialRock& rock, Body<D>& body) {
-  RandomStream turn(scenario_.seed, streams_[rock.group].orientation, rock.key);
+  RandomStream turn(scenario_.streams, streams_[rock.group].orientation, rock.key);
   if constexpr (D == 2) {
     body.attitude = turn.uniform(0, 2 * pi);
     rock.outcomes[Outcome::orientation] = body.attitude.angle;
@@ -283,7 +283,7 @@ void TrialBuilder<D>::ask_launch(TrialRock& rock, const Place<D>& place, const T
   view.group = group.name;
   const TerrainView ground = view_of(terrain, origin());
   view.terrain = &ground;
-  RandomStream rng(scenario_.seed, streams_[rock.group].launch, rock.key);
+  RandomStream rng(scenario_.streams, streams_[rock.group].launch, rock.key);
   const Launch launch = instances_.groups[rock.group].launch->launch(
       values_of(*group.launch, scenario_, rock.key), view, blast_at(scenario_, rock.key), rng);
   rock.start_is_drawn |= rng.drawn();

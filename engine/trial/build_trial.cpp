@@ -70,7 +70,13 @@ WorldSettings TrialBuilder<D>::world_settings() const {
                          .rest_speed = solver.rest_speed,
                          .solver = solver_of_name(solver.name).value(),
                          .body_contacts = scenario_.bodies.empty() || scenario_.body_contacts,
-                         .one_by_one = solver.one_by_one};
+                         .one_by_one = solver.one_by_one,
+                         .many = solver.dense.bodies == "auto"    ? ManyBodies::automatic
+                                 : solver.dense.bodies == "dense" ? ManyBodies::dense
+                                                                  : ManyBodies::exact,
+                         .dense_step = solver.dense.time_step,
+                         .dense_tolerance = solver.dense.tolerance,
+                         .dense_iterations = solver.dense.max_iterations};
   if (solver.time_step)
     settings.time_step = *solver.time_step;
   else
@@ -89,7 +95,7 @@ std::shared_ptr<const typename TrialBuilder<D>::Terrain> TrialBuilder<D>::terrai
   const auto make = [&] {
     DrawKey key;
     key.trial = trial;
-    RandomStream rng(scenario_.seed, "terrain", key);
+    RandomStream rng(scenario_.streams, "terrain", key);
     auto terrain = at_path(model.path, [&] {
       return std::make_shared<const Terrain>(make_terrain(*instances_.terrain, model, scenario_, key, rng,
                                                           static_cast<const Terrain*>(nullptr)));
@@ -297,7 +303,7 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
   std::uint64_t count = 0;
   for (int g = 0; g < static_cast<int>(scenario_.rocks.size()); ++g) {
     const RockGroup& group = builder_of(of_blast).scenario_.rocks[g];
-    RandomStream rng(scenario_.seed, streams_[g].population, of_trial);
+    RandomStream rng(scenario_.streams, streams_[g].population, of_trial);
     const auto plans = builder_of(of_blast).plans_of(g, ground, of_trial, rng);
     check_weights(g, plans);
     begin_blocks(trial, g, plans);
@@ -316,7 +322,7 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
       if (scenario_.blast && !scenario_.rock_contacts) rock.start_time = time_of_hole(by.scenario_, rock.key);
       ++count;
       try {
-        RandomStream where(scenario_.seed, streams_[g].release, rock.key);
+        RandomStream where(scenario_.streams, streams_[g].release, rock.key);
         Partner partner = by.partner_of(plan, rock);
         if (plan.block) {
           by.add_block(trial, plan, partner, rock, where);
@@ -367,7 +373,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     rock.group = i;
     rock.key = {number_of_trial, 0, static_cast<std::uint64_t>(i) + 1, 0};
     const auto value = [&](const Number& n) { return number(n, rock.key); };
-    RandomStream rng(scenario_.seed, "bodies." + plan.name + ".shape", rock.key);
+    RandomStream rng(scenario_.streams, "bodies." + plan.name + ".shape", rock.key);
     ShapeAnswer<D> shape = at_path(plan.shape.path, [&] {
       return ask_shape<D>(*instances_.bodies[i], values_of(plan.shape, scenario_, rock.key), rng);
     });

@@ -157,7 +157,7 @@ class TrialBuilder {
   Air<D> air_of(const Body<D>& body, const DrawKey& key) const;
   void connect(Trial<D>& trial, World<D>& world, std::vector<Partner> partners);
   double number(const Number& n, const DrawKey& key) const {
-    return n.value(scenario_.draws, scenario_.seed, key);
+    return n.value(scenario_.draws, scenario_.streams, key);
   }
   WorldSettings world_settings() const;
   /// The place from which the engine counts, in the coordinates of the scenario [m]; 0 in 2D.

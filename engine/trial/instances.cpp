@@ -40,7 +40,8 @@ Instances::Instances(const Scenario& scenario) {
 std::vector<double> values_of(const PluginUse& use, const Scenario& scenario, const DrawKey& key) {
   std::vector<double> values;
   values.reserve(use.slots.size());
-  for (const Number& number : use.slots) values.push_back(number.value(scenario.draws, scenario.seed, key));
+  for (const Number& number : use.slots)
+    values.push_back(number.value(scenario.draws, scenario.streams, key));
   return values;
 }
 

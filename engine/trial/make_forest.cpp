@@ -51,13 +51,13 @@ std::vector<Stem> drawn(const Scenario& scenario, const Ground3& ground) {
   std::vector<Stem> stems;
   DrawKey key;
   for (key.rock = 1; static_cast<double>(key.rock) <= count; ++key.rock) {
-    RandomStream rng(scenario.seed, "forest.place", key);
+    RandomStream rng(scenario.streams, "forest.place", key);
     const double x = rng.uniform(), y = rng.uniform();
     const Vec2 place = box.low + Vec2(x * size.x(), y * size.y());
     if (!stands_in(plan.zone, ground, place)) continue;
     stems.push_back({.place = place,
-                     .radius = plan.diameter.value(plan.draws, scenario.seed, key) / 2,
-                     .height = plan.height.value(plan.draws, scenario.seed, key)});
+                     .radius = plan.diameter.value(plan.draws, scenario.streams, key) / 2,
+                     .height = plan.height.value(plan.draws, scenario.streams, key)});
   }
   return stems;
 }
@@ -79,7 +79,7 @@ std::shared_ptr<const Forest> make_forest(const Scenario& scenario, const Ground
   const auto& store = scenario.terrain.grounds;
   if (!store) return make();
   const std::string key =
-      fmt::format("forest {} {} {}", scenario.seed, scenario.forest->text, scenario.terrain.text);
+      fmt::format("forest {} {} {}", scenario.streams.seed, scenario.forest->text, scenario.terrain.text);
   return std::static_pointer_cast<const Forest>(store->get(key, [&] {
     const std::shared_ptr<const Forest> forest = make();
     return GroundStore::Made{forest, forest->stems().size() * (sizeof(Stem) + 2 * sizeof(int))};

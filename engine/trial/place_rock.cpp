@@ -156,7 +156,7 @@ double depth_of_holes(const Release& release, const Scenario& scenario, const Dr
 Place<2> place_rock(const Release& release, const Scenario& scenario, const DrawKey& key, RandomStream& rng,
                     const Body<2>& rock, const Terrain2& terrain) {
   const Profile& profile = terrain.profile();
-  const auto number = [&](const Number& n) { return n.value(scenario.draws, scenario.seed, key); };
+  const auto number = [&](const Number& n) { return n.value(scenario.draws, scenario.streams, key); };
   Place<2> place;
   switch (release.kind) {
     case ReleaseKind::face:
@@ -192,7 +192,8 @@ Place<2> place_rock(const Release& release, const Scenario& scenario, const Draw
 
 Rotation3 rotation_of(const TurnPlan& turn, const Scenario& scenario, const DrawKey& key) {
   std::array<double, 4> values{};
-  for (std::size_t k = 0; k < 4; ++k) values[k] = turn.numbers[k].value(scenario.draws, scenario.seed, key);
+  for (std::size_t k = 0; k < 4; ++k)
+    values[k] = turn.numbers[k].value(scenario.draws, scenario.streams, key);
   return turn_of(values, turn.about_axis);
 }
 

@@ -96,7 +96,7 @@ class Placing {
   }
 
  private:
-  double number(const Number& n) const { return n.value(scenario_.draws, scenario_.seed, key_); }
+  double number(const Number& n) const { return n.value(scenario_.draws, scenario_.streams, key_); }
   const Vec3& origin() const { return scenario_.terrain.origin; }
 
   static Place<3> at(const Vec3& position) {

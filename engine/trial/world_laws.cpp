@@ -37,7 +37,7 @@ PairLaws* WorldLaws::make(int material, const DrawKey& key) {
   PairLaws& laws = laws_.emplace_back();
   material_.push_back(material);
   laws.material = plan.name;
-  laws.seed = scenario_.seed;
+  laws.streams = &scenario_.streams;
   laws.key = laws.key_of_second = key;
   bind(laws.restitution, of_material.restitution, plan.restitution, scenario_, key);
   bind(laws.friction, of_material.friction, plan.friction, scenario_, key);

@@ -44,7 +44,7 @@ void World<D>::audit_energy(double h) {
     if (contact.law.condition != NormalCondition::penalty) gain += energy_of(a);
     gain -= contact.impulse.template head<D>().norm() *
             (1e-12 * (contact.before.norm() + after_[a].norm()) +
-             10 * settings_.tolerance * problem_.contacts[a].speed_scale + 0.5 * g_ * h);
+             10 * tolerance() * problem_.contacts[a].speed_scale + 0.5 * g_ * h);
   }
   for (const double gain : island_gain_)
     if (gain > 0) {

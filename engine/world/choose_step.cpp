@@ -15,6 +15,7 @@ double enough_steps(double rate) { return rate > 0 ? 2 * pi / steps_a_period / r
 
 template <int D>
 double World<D>::step_length() {
+  if (dense_) return dense_length();
   if (!chooses_steps()) return settings_.time_step;
   touching_.assign(bodies.size(), false);
   for (const Contact& c : last_) {

@@ -65,7 +65,7 @@ const std::vector<std::pair<int, int>>& World<D>::close_pairs() {
   boxes_.clear();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const auto pose = bodies[i].pose();
-    const double reach = reach_in_middle(static_cast<int>(i), -1);
+    const double reach = reach_of_step(static_cast<int>(i), -1);
     auto& box = boxes_.emplace_back(typename Geometry<D>::Box{pose.x, pose.x});
     for (const auto& contactor : bodies[i].contactors) {
       const auto core = core_box(Placed<D>{contactor, pose});
@@ -75,11 +75,23 @@ const std::vector<std::pair<int, int>>& World<D>::close_pairs() {
   return broad_phase_.template pairs<D>(boxes_);
 }
 
-/// `ahead` [s]: the time by which the bodies have been moved since the start of the step. An edge may have
-/// left the cone of a corner or edge of the ground during this time.
+/// The gap up to which contacts are sought.
+template <int D>
+double World<D>::reach_of_step(int candidate, int antagonist) const {
+  return dense_ ? reach_ahead(candidate, antagonist) : reach_in_middle(candidate, antagonist);
+}
+
+/// `ahead` [s]: the time by which the bodies have been moved since the start of the step, or move in a dense
+/// one. An edge may have left the cone of a corner or edge of the ground during this time.
 template <int D>
 void World<D>::detect(double ahead) {
   const PhaseTimer timer(clock, &PhaseTimes::detect);
+  find_contacts(ahead);
+  match_last();
+}
+
+template <int D>
+void World<D>::find_contacts(double ahead) {
   contacts_.clear();
   auto append = [&](int candidate, int antagonist) {
     for (const ContactPoint<D>& point : points_) {
@@ -100,7 +112,7 @@ void World<D>::detect(double ahead) {
     const Body<D>& body = bodies[i];
     if (body.moves()) {
       points_.clear();
-      const double reach = reach_in_middle(i, -1);
+      const double reach = reach_of_step(i, -1);
       near_parts(work_, body.parts, body.pose(), *terrain_, reach, parts_);
       for (const int k : parts_)
         terrain_contacts<D>(work_, Placed<D>{body.contactors[k], body.pose(), k}, *terrain_, reach,
@@ -111,7 +123,7 @@ void World<D>::detect(double ahead) {
       const Body<D>& other = bodies[pair->second];
       if (!body.present || !other.present || (!body.moves() && !other.moves())) continue;
       points_.clear();
-      const double reach = reach_in_middle(i, pair->second);
+      const double reach = reach_of_step(i, pair->second);
       near_parts(work_, body.parts, body.pose(), other.parts, other.pose(), reach, part_pairs_);
       for (const auto& [k, l] : part_pairs_)
         body_contacts(work_, Placed<D>{body.contactors[k], body.pose(), k},
@@ -120,7 +132,6 @@ void World<D>::detect(double ahead) {
       append(i, pair->second);
     }
   }
-  match_last();
 }
 
 /// The contact of the last step that this contact continues: the one with the same features; otherwise the
@@ -286,6 +297,7 @@ void World<D>::measure_penetration() {
   template double World<D>::reach_within(double, int, int) const;                \
   template double World<D>::reach_in_middle(int, int) const;                     \
   template const std::vector<std::pair<int, int>>& World<D>::near_pairs(double); \
+  template void World<D>::find_contacts(double);                                 \
   template void World<D>::detect(double);                                        \
   template void World<D>::keep_closed(double);                                   \
   template Placed<D> World<D>::placed(int, FeatureId, bool) const;               \

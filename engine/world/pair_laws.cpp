@@ -27,8 +27,8 @@ Answer answer(BoundLaw<LawKind, Answer>& bound, std::uint64_t& asked, ContactSta
 }
 
 template <class Slots>
-void draw(const Slots& slots, std::vector<double>& values, std::uint64_t seed, const DrawKey& key) {
-  for (const auto& [slot, draw] : slots) values[slot] = draw->value(seed, key);
+void draw(const Slots& slots, std::vector<double>& values, const Streams* streams, const DrawKey& key) {
+  for (const auto& [slot, draw] : slots) values[slot] = draw->value(*streams, key);
 }
 
 bool varies(const auto& bound) { return bound.law && !bound.law->constant(); }
@@ -40,7 +40,7 @@ void PairLaws::begin_pair(const DrawKey& of_pair) {
   use = {};
   known_.reset();
   const auto begin = [&](auto& bound) {
-    draw(bound.drawn, bound.values, seed, key);
+    draw(bound.drawn, bound.values, streams, key);
     if (bound.memory > 0) bound.forget();
     bound.kept.reset();  // not kept for all rocks, because a law in Lua may print
   };
@@ -60,7 +60,7 @@ void PairLaws::begin_impact(std::uint64_t impact_number, bool of_second) {
   drawn.impact = impact_number;
   if (!traits().draws_at_impact) return;
   if (traits().step_draws_at_impact) known_.reset();
-  const auto draw_again = [&](auto& bound) { draw(bound.per_impact, bound.values, seed, drawn); };
+  const auto draw_again = [&](auto& bound) { draw(bound.per_impact, bound.values, streams, drawn); };
   draw_again(restitution), draw_again(friction), draw_again(rolling), draw_again(unilateral);
 }
 

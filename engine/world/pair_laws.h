@@ -60,7 +60,7 @@ class PairLaws {
   BoundLaw<RollingLaw, Rolling> rolling;
   BoundLaw<UnilateralLaw, Unilateral> unilateral;
   Roughness roughness;
-  std::uint64_t seed = 1;
+  const Streams* streams = nullptr;  ///< of the draws
   DrawKey key;  ///< trial and rock, for draws per impact; of two bodies of the one with the lower index
   DrawKey key_of_second;  ///< the same of the other one
   MaterialUse use;

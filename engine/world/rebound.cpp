@@ -59,19 +59,26 @@ void World<D>::apply_spring(int a, double h) {
 /// land flat, and its corners would then arrive one after the other.
 template <int D>
 void World<D>::solve_and_apply() {
+  constexpr std::size_t most_of_newton = 100;  // contacts of a dense step, for which its factorisations pay
   const PhaseTimer timer(clock, &PhaseTimes::solve);
   if (on_hard_problem) start_ = impulses_;
   SolveSettings wanted;
-  wanted.tolerance = settings_.tolerance;
-  wanted.to_rounding = true;
-  wanted.max_iterations = settings_.max_iterations;
+  wanted.tolerance = tolerance();
+  wanted.to_rounding = !dense_;
+  wanted.max_iterations = dense_ ? settings_.dense_iterations : settings_.max_iterations;
   wanted.solver = settings_.solver;
+  if (dense_ && wanted.solver == SolverKind::automatic && contacts_.size() > most_of_newton)
+    wanted.solver = SolverKind::nlgs;
   const SolveResult result = last_solve_ = solver_.solve(problem_, rebounds_, wanted, impulses_);
   pressed_.clear();
   ++quality_.problems;
   quality_.iterations += result.iterations;
   solver_work_ += result.work;
-  if (!result.converged) {
+  if (!result.converged && dense_) {
+    const double scale = problem_.contacts[result.worst_contact].speed_scale;
+    ++quality_.dense_unfinished;
+    if (scale > 0) quality_.dense_residual = std::max(quality_.dense_residual, result.residual / scale);
+  } else if (!result.converged) {
     ++quality_.not_converged;
     if (on_hard_problem) on_hard_problem(problem_, start_);
     const double scale = problem_.contacts[result.worst_contact].speed_scale;
@@ -164,7 +171,7 @@ void World<D>::record_impacts() {
       impact.other = contact.other_than(contact.rock);
       if (contact.antagonist < 0) impact.part = part_of(*terrain_, contact.at.against);
       impact.number = contact.impact_number;
-      impact.time = time;
+      impact.time = time + contact.touch;
     }
     const double pn = contact.impulse[0];
     impact.pn += pn;
@@ -205,8 +212,7 @@ bool World<D>::stays_closed(int a, double duration) const {
   if (contact.law.condition == NormalCondition::penalty)
     return speed <= 0 || contact.at.gap + contact.born + settings_.theta * duration * speed <= 0;
   if (contact.manifold >= 0 && contact.law.e_n > 0) return speed <= 0;
-  const double within_tolerance =
-      10 * settings_.tolerance * contact.speed_scale + 1e-14 * contact.before.norm();
+  const double within_tolerance = 10 * tolerance() * contact.speed_scale + 1e-14 * contact.before.norm();
   return speed <= std::max(within_tolerance, 0.5 * g_ * settings_.time_step);
 }
 

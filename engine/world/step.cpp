@@ -64,6 +64,7 @@ void World<D>::forget_steps() {
 ///   q+ = q_m + h theta v+
 template <int D>
 typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
+  if (dense_) return dense_step(h);
   constexpr int most_cuts = 4, most_refinements = 4, most_refusals = 12, most_pushes = 3;
   const double theta = settings_.theta;
   by_contacts_.resize(bodies.size(), Space<D>::no_spin());
@@ -157,11 +158,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   project_drift(cut);
   time += h;
   last_step_ = h;
-  for (Body<D>& body : bodies) {
-    if (!body.present || body.kind == BodyKind::fixed) continue;
-    body.attitude.settle();
-    if (body.moves()) stop_if_still(body);
-  }
+  finish_bodies();
   gains_.resize(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     typename Body<D>::Rows before;
@@ -169,7 +166,19 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     gains_[i] = (bodies[i].velocity() - before) / h;
   }
   quality_.count_step(h, new_touch);
-  return keep(h, new_touch);
+  const Outcome outcome = keep(h, new_touch);
+  if (!new_touch) choose_density();
+  return outcome;
+}
+
+/// At the end of a step.
+template <int D>
+void World<D>::finish_bodies() {
+  for (Body<D>& body : bodies) {
+    if (!body.present || body.kind == BodyKind::fixed) continue;
+    body.attitude.settle();
+    if (body.moves()) stop_if_still(body);
+  }
 }
 
 /// The time of the first touch of features that are not in contact, along the path of the step [s]. With
@@ -251,6 +260,7 @@ bool World<D>::slips(const Contact& contact, int body) const {
   template void World<D>::save();                                     \
   template void World<D>::restore();                                  \
   template void World<D>::forget_steps();                             \
+  template void World<D>::finish_bodies();                            \
   template World<D>::Outcome World<D>::step(double, bool, bool);      \
   template std::optional<double> World<D>::first_touch(double, bool); \
   template World<D>::Outcome World<D>::keep(double, bool);            \

@@ -27,7 +27,7 @@ TreeEffect effect_of(const TreeLaw& law, const Stem& stem, int tree, double ener
   const double taken = std::min(law.energy_of(stem, std::min(std::abs(side), 1.0)), energy);
   effect.left = energy > 0 ? std::sqrt(1 - taken / energy) : 0;
   key.impact = static_cast<std::uint64_t>(tree) + 1;
-  const double turn = law.turn_draw ? law.turn_draw->value(law.seed, key) : law.turn;
+  const double turn = law.turn_draw ? law.turn_draw->value(*law.streams, key) : law.turn;
   effect.turn = side < 0 ? turn : -turn;
   return effect;
 }

@@ -24,12 +24,12 @@
 namespace flyrock {
 
 struct TreeLaw {
-  bool fixed = false;               ///< the energy is the same for each tree
-  double energy = 0;                ///< J, with `fixed`
-  double factor = 1;                ///< on the energy of all trees
-  double turn = 0;                  ///< rad
-  const Draw* turn_draw = nullptr;  ///< rad, drawn at each hit; null: the constant
-  std::uint64_t seed = 0;
+  bool fixed = false;                ///< the energy is the same for each tree
+  double energy = 0;                 ///< J, with `fixed`
+  double factor = 1;                 ///< on the energy of all trees
+  double turn = 0;                   ///< rad
+  const Draw* turn_draw = nullptr;   ///< rad, drawn at each hit; null: the constant
+  const Streams* streams = nullptr;  ///< of `turn_draw`
 
   /// Whether no tree changes the motion of a rock. Paths then go on through the trees.
   bool is_passive() const { return (fixed ? energy : 1.0) * factor == 0 && turn == 0 && !turn_draw; }

@@ -21,6 +21,9 @@
 
 namespace flyrock {
 
+/// How bodies that touch are moved: exactly, in dense steps (dense_step.cpp), or as their islands ask.
+enum class ManyBodies { automatic, exact, dense };
+
 struct WorldSettings {
   double time_step = 1e-3;               ///< s; of chosen steps only the scale for what counts as short
   double step_tolerance = 0;             ///< steps are chosen by their error (StepControl); 0: fixed
@@ -31,6 +34,10 @@ struct WorldSettings {
   SolverKind solver = SolverKind::automatic;
   bool body_contacts = true;  ///< false: bodies meet the terrain only
   bool one_by_one = false;    ///< contacts that close at one instant collide one after the other
+  ManyBodies many = ManyBodies::exact;
+  double dense_step = 4e-3;       ///< s
+  double dense_tolerance = 1e-4;  ///< of the contact solver in dense steps
+  int dense_iterations = 100;
 };
 
 /// A contact of the world, with its law, its impulse and its memory.
@@ -59,6 +66,10 @@ struct WorldContact {
   int manifold = -1;       ///< index of the manifold among the impacts of this step; -1: no impact
   int rock = 0;            ///< whose impact it is (World::rock_of), if this contact is part of one
   int impact_number = 0;   ///< of its rock
+  // Of a dense step
+  bool stays_apart = false;  ///< along the free path
+  bool bounces = false;      ///< by its law
+  double touch = 0;          ///< s from the start, when it closes, if it collides
 
   /// The one of the two bodies that is not `body`; -1: the terrain.
   int other_than(int body) const { return body == candidate ? antagonist : candidate; }
@@ -66,7 +77,7 @@ struct WorldContact {
   double compression(double gap) const { return std::max(0.0, -gap - born); }
   /// The current coefficient of friction.
   double mu() const { return sticking ? law.mu_s : law.mu_d; }
-  double approach() const { return before[0] < 0 ? -before[0] : 0; }
+  double approach() const { return before[0] < 0 && !stays_apart ? -before[0] : 0; }
 };
 
 /// One world of D dimensions. It keeps its buffers between steps, so that the step loop does not allocate
@@ -115,8 +126,13 @@ class World {
   /// rounding hides that it has not converged.
   bool missed_last_solve() const {
     const int worst = last_solve_.worst_contact;
-    return worst >= 0 && last_solve_.residual > settings_.tolerance * problem_.contacts[worst].speed_scale;
+    return worst >= 0 && last_solve_.residual > tolerance() * problem_.contacts[worst].speed_scale;
   }
+  /// Of the contact solver, in the steps that are made now.
+  double tolerance() const { return dense_ ? settings_.dense_tolerance : settings_.tolerance; }
+  /// Whether the next step is a dense one (dense_step.cpp); nothing flies then.
+  bool is_dense() const { return dense_; }
+  void choose_density();
   /// The work of all solves, also of those that were repeated: the sum over their contacts.
   std::uint64_t solver_work() const { return solver_work_; }
   /// The bodies that driven bodies press, in the last solve, so that no motion satisfies their contacts.
@@ -143,6 +159,8 @@ class World {
   /// `pass_held`, only touches of bodies that have no contact with each other cut the step. Without `cut`,
   /// impacts inside the step are reported in `impacts`.
   Outcome step(double h, bool cut, bool pass_held = false);
+  /// Of the step before the next one [s]; 0: none was made yet.
+  double last_step() const { return last_step_; }
   /// The length of the next step: the fixed one, or chosen by error [s].
   double step_length();
 
@@ -255,6 +273,25 @@ class World {
   double gap_at(const Contact& contact, bool at_start) const;
   const std::vector<std::pair<int, int>>& close_pairs();
 
+  void find_contacts(double ahead);
+  double reach_of_step(int candidate, int antagonist) const;
+
+  // dense_step.cpp: the step of many bodies that touch
+  bool can_be_dense() const;
+  int most_contacts_of_island();
+  double dense_length() const;
+  double travel_ahead(const Body<D>& body) const;
+  double reach_ahead(int candidate, int antagonist) const;
+  void foresee_touches(double h);
+  bool ask_dense_laws(double h);
+  void put_gaps(double h);
+  void move_densely(double h);
+  double unsolved_depth();
+  template <class Use>
+  void see_ahead(double h, Use use);
+  void find_dense_contacts(double h);
+  Outcome dense_step(double h);
+
   // held_contacts.cpp: which contacts a step holds, and what the search for touches knows of them
   Drift keep_closed_at_start(double h);
   double opened(const Contact& contact) const;
@@ -336,6 +373,7 @@ class World {
   void save();
   void restore();
   void forget_steps();
+  void finish_bodies();
   std::optional<double> first_touch(double h, bool pass_held);
   Outcome keep(double duration, bool new_touch);
 
@@ -357,11 +395,19 @@ class World {
   std::uint64_t solver_work_ = 0;
   std::vector<int> pressed_;
   StepControl<D> control_;
-  double walked_ = 0;       ///< how far a resting rim closes by the middle of a step, in rest_speeds
-  double last_step_ = 0;    ///< s
-  double reach_time_ = 0;   ///< s, the longer of this step and the last one; fixed steps: their length
-  double theta_h_ = 0;      ///< s, theta times the step that is solved; 0 in an impact
-  double spring_rate_ = 0;  ///< rad/s, the greatest rate of the springs in the last step or impact
+  bool dense_ = false;                   ///< the next step is a dense one
+  bool has_springs_ = false;             ///< a contact yields (`penalty`): never dense
+  std::vector<int> contacts_of_island_;  ///< [the body that names it]
+  double theta_loss_ = 0;                ///< J, of the dense step that is made now
+  double ahead_ = 0;                     ///< s, the dense step that is made now
+  std::vector<Row> gained_in_step_;      ///< m/s, by each contact of a dense step along the free path
+  std::vector<Contact> unseen_;  ///< that the end of a dense step has shown, not the search at its start
+  std::vector<Contact> solved_;  ///< by the dense step, while its end is looked at
+  double walked_ = 0;            ///< how far a resting rim closes by the middle of a step, in rest_speeds
+  double last_step_ = 0;         ///< s
+  double reach_time_ = 0;        ///< s, the longer of this step and the last one; fixed steps: their length
+  double theta_h_ = 0;           ///< s, theta times the step that is solved; 0 in an impact
+  double spring_rate_ = 0;       ///< rad/s, the greatest rate of the springs in the last step or impact
   std::vector<double> damper_rates_;                         ///< rad/s, c W of each of its contacts
   double longest_of_dampers_ = infinite;                     ///< s
   double energy_given_ = 0;                                  ///< J

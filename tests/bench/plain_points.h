@@ -31,7 +31,7 @@ template <bool complete>
 class PlainLoop {
  public:
   PlainLoop(const Profile& ground, const Scenario& scenario)
-      : seed_(scenario.seed),
+      : seed_(scenario.streams.seed),
         restitution_(scenario.draws[scenario.materials[0].restitution->slots[0].draw]),
         tilt_(scenario.draws[scenario.materials[0].roughness->draw]) {
     for (int i = 0; i < ground.segments(); ++i) {

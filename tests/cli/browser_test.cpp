@@ -38,9 +38,8 @@ struct Opened {
 Opened open_page(const Folder& folder, const fs::path& opened,
                  const std::string& flags = "--disable-gpu --disable-3d-apis") {
   const fs::path page = folder.path() / ".page", log = folder.path() / ".log";
-  const std::string line = "timeout 120 chromium --headless --no-sandbox " + flags +
-                           " --window-size=1280,4000 "
-                           "--enable-logging=stderr --user-data-dir='" +
+  const std::string line = "timeout 120 chromium --headless --no-sandbox --window-size=1280,4000 " + flags +
+                           " --enable-logging=stderr --user-data-dir='" +
                            (folder.path() / ".browser").string() + "' --dump-dom 'file://" + opened.string() +
                            "' >'" + page.string() + "' 2>'" + log.string() + "'";
   const auto start = std::chrono::steady_clock::now();
@@ -226,6 +225,78 @@ TEST_CASE("The page of the method ballistic speaks of first landings", "[slow]")
   for (const char* wrong : {"unout", "stopped", "came to rest", " rad<"}) {
     INFO(wrong);
     CHECK(page.find(wrong) == std::string::npos);
+  }
+}
+
+namespace {
+
+/// Names the words of the first page that an edge cuts: of the list beside the plan, and in the drawings.
+const char* const find_cut_words = R"(<script>{
+const cut = [];
+for (const item of document.querySelectorAll(".key li, #questions td"))
+  if (item.getBoundingClientRect().right > document.documentElement.clientWidth || item.scrollWidth > item.clientWidth + 1) cut.push(item.textContent);
+for (const word of document.querySelectorAll(".plans text")) {
+  const box = word.getBoundingClientRect(), sheet = word.ownerSVGElement.getBoundingClientRect();
+  if (box.left < sheet.left - 1 || box.right > sheet.right + 1 || box.top < sheet.top - 1 || box.bottom > sheet.bottom + 1) cut.push(word.textContent);
+}
+document.body.dataset.cut = cut.join("; ");
+}</script>
+)";
+
+}  // namespace
+
+TEST_CASE("The first page of a permit has one sentence, a table, and a plan whose frame holds every landing",
+          "[slow]") {
+  if (!can_draw()) {
+    WARN("SKIPPED: no Chromium or no Plotly");
+    return;
+  }
+  const Folder folder;
+  REQUIRE(call(folder,
+               "run " FLYROCK_SOURCE_DIR
+               "/scenarios/quarry/permit.yaml --quiet -o r --trials 20 --set rocks.0.per_hole=10 --set "
+               "rocks.1.per_hole=5 --set document.signature=true --set exposure.0.limit_per_year=0.01")
+              .code == 0);
+  const auto summary = nlohmann::json::parse(read(folder.path() / "r/summary.json"));
+  std::string page = read(folder.path() / "r/report.html");
+  page.insert(page.rfind("</body>"), find_cut_words);
+  const fs::path opened = folder.path() / folder.write("opened.html", page);
+  for (const char* width : {"1400", "800"}) {
+    INFO(width << " pixels");
+    const Opened drawn = open_page(
+        folder, opened, "--disable-gpu --disable-3d-apis --window-size=" + std::string(width) + ",2000");
+    CHECK(drawn.console == "");
+    CHECK(drawn.page.find("data-cut=\"\"") != std::string::npos);
+    const std::string seen = std::regex_replace(without_sources(drawn.page), std::regex("&nbsp;"), " ");
+    // One sentence, then a row a question, then the drawing; percentiles stand after it.
+    const std::size_t sentence = seen.find(summary.at("first_sentence").get<std::string>().substr(0, 40)),
+                      table = seen.find("<table>"), drawing = seen.find("<svg"),
+                      percentiles = seen.find("that 95 % of the rocks do not exceed"),
+                      signature = seen.find("Date and signature");
+    CHECK((sentence < table && table < drawing && drawing < percentiles && percentiles < signature));
+    for (const auto& question : summary.at("points")[0].at("questions"))
+      for (const char* cell : {"asks", "per_blast", "interval"}) {
+        const std::string text = question.at(cell);
+        INFO(text);
+        CHECK(seen.find(">" + text + "</td>") != std::string::npos);
+      }
+    // All 24 holes have their number; the frame of the site holds every landing.
+    CHECK(count(seen, "class=\"hole\"") == 24);
+    CHECK(count(seen, "class=\"crest\"") >= 1);
+    const std::string frame = "class=\"site\" data-frame=\"";
+    const std::size_t site = seen.find(frame);
+    REQUIRE(site != std::string::npos);
+    std::istringstream numbers(seen.substr(site + frame.size()));
+    double x0 = 0, x1 = 0, y0 = 0, y1 = 0;
+    REQUIRE(numbers >> x0 >> x1 >> y0 >> y1);
+    const auto outside = query(folder.path() / "r/results.db",
+                               "SELECT count(*) FROM rocks WHERE stop_x_m NOT BETWEEN " + std::to_string(x0) +
+                                   " AND " + std::to_string(x1) + " OR stop_y_m NOT BETWEEN " +
+                                   std::to_string(y0) + " AND " + std::to_string(y1));
+    CHECK(outside.at(0) == "0");
+    // Hashes of what the run used.
+    CHECK(seen.find("plugins/velocity/gurney/plugin.lua") != std::string::npos);
+    CHECK(seen.find("plugins/velocity/lundborg/plugin.lua") == std::string::npos);
   }
 }
 

@@ -322,6 +322,28 @@ TEST_CASE("The pages do what they say", "[slow]") {
   for (const fs::path& page : pages()) follow(page);
 }
 
+TEST_CASE("README's permit command answers each question of its section", "[heavy]") {
+  for (const Block& block : blocks_of(read(FLYROCK_SOURCE_DIR "/README.md"))) {
+    if (block.text.find("quarry/permit") == std::string::npos) continue;
+    const Folder folder;
+    const fs::path bin = fs::path(FLYROCK_BINARY).parent_path();
+    const Output run = shell(folder, "PATH='" + bin.string() + "':$PATH; " + block.text);
+    INFO(run.out << run.err);
+    REQUIRE(run.code == 0);
+    const auto summary = nlohmann::json::parse(read(folder.path() / "out/permit/summary.json"));
+    const auto& questions = summary.at("points")[0].at("questions");
+    CHECK(questions.size() == 5);  // the distance, the customary one, house, road, shot-firer
+    for (const auto& question : questions) {
+      INFO(question.dump());
+      CHECK(question.at("per_blast").get<std::string>().find("one in ") != std::string::npos);
+      CHECK(question.at("interval").get<std::string>().find(" to ") != std::string::npos);
+    }
+    CHECK(run.out.find("One blast in 20 throws a rock beyond ") != std::string::npos);
+    return;
+  }
+  FAIL("README has no permit");
+}
+
 TEST_CASE("the recipes for other programs run where these are installed", "[slow]") {
   const Folder folder;
   const Output run = call(

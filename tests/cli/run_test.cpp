@@ -148,8 +148,9 @@ TEST_CASE("A clearance per blast of few rocks is warned of, and says with how ma
       std::string::npos);
   const Output run = call(folder, "run s.yaml -o r");
   CHECK(run.code == 0);
-  CHECK(run.out.find("Clearance road: at most 50 % of the blasts (with 1 rock a blast) throw a rock of "
-                     "blocks farther than ") != std::string::npos);
+  CHECK(run.out.find("One blast in 2 throws a rock of blocks beyond ") != std::string::npos);
+  CHECK(run.out.find("  road: a rock of blocks beyond ") != std::string::npos);
+  CHECK(run.out.find("A blast has 1 rock of blocks.") != std::string::npos);
 }
 
 TEST_CASE("An existing folder is replaced with --force only, and other files in it stay") {

@@ -4,6 +4,8 @@
 
 #include "scenario/schema.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>

@@ -143,10 +143,10 @@ void hull_contacts(Workspace&, const Placed3& a, const Placed3& b, double reach,
   if (of_a.separation > reach) return;
   const FaceAxis of_b = best_face_axis(b, a);
   if (of_b.separation > reach) return;
-  const EdgeAxis edges = best_edge_axis(a, b);
+  const double of_faces = std::max(of_a.separation, of_b.separation);
+  const EdgeAxis edges = best_edge_axis(a, b, of_faces);
   if (edges.separation > reach) return;
   const double slack = flush_angle * std::min(a.shape.bound, b.shape.bound);
-  const double of_faces = std::max(of_a.separation, of_b.separation);
   const std::size_t begin = out.size();
   if (edges.separation <= of_faces + slack) {
     if (of_b.separation > of_a.separation + slack)

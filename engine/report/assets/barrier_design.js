@@ -11,12 +11,10 @@ const different = (list) => [...new Set(list)];
 
 /** The senses of a share, by their keys in summary.json. */
 const senses = { per_trial: "trials in which at least one rock gets past", of_arriving: "rocks that arrive", of_all: "all rocks" };
-const least_trials = 10;
 /** What gets past barrier b at a point, in a sense. */
 const past_at = (point, b, sense) => of_group(point.barriers[b]).shares.past[sense];
-/** Whether enough trials have a rock that arrives there. */
-const is_tried = (point, b) => (of_group(point.barriers[b]).shares.reached.per_trial.lower ?? 0) * point.trials > least_trials - 0.5;
-const holds = (point, b, held, sense) => is_tried(point, b) && past_at(point, b, sense).interval[1] !== null && past_at(point, b, sense).interval[1] <= 1 - held;
+/** The choice that the program made: of a barrier, a share and its sense, for the group that is shown. */
+const choice_of = (b, held, sense) => data.barrier_choices.find((choice) => choice.barrier === b && choice.group === shown.group && choice.held === held && choice.sense === sense);
 
 /** { key, points } for each combination of values of `axes`. */
 function points_by(axes) {
@@ -26,14 +24,6 @@ function points_by(axes) {
     groups.set(key, [...(groups.get(key) ?? []), point]);
   }
   return [...groups].map(([key, points]) => ({ key, points }));
-}
-
-/** Of barrier b: those among `points` that hold the share `held` with 95 % confidence, and of which no other one is weaker. */
-function smallest(b, points, held, sense) {
-  const strengths = axes_of_barrier(b).filter(is_strength);
-  const holding = points.filter((point) => holds(point, b, held, sense));
-  const weaker = (p, q) => p !== q && strengths.every((axis) => at_axis(axis, p) <= at_axis(axis, q)) && strengths.some((axis) => at_axis(axis, p) < at_axis(axis, q));
-  return holding.filter((point) => !holding.some((other) => weaker(other, point)));
 }
 
 /** One map for each combination of the other axes: the share past barrier b over two of its numbers. */
@@ -59,14 +49,10 @@ function draw_maps(node, b, [across, up], maps, sense) {
   plot(node, traces, layout);
 }
 
-/** The points of each place: of the other axes' values. */
-const places_of_design = (b) => points_by(data.axes.filter((axis) => !(axes_of_barrier(b).includes(axis) && is_strength(axis))));
-
 function design_table(b, held, sense) {
-  const axes = data.axes, chosen = places_of_design(b).flatMap(({ points }) => smallest(b, points, held, sense));
+  const axes = data.axes, choice = choice_of(b, held, sense), verdict = ({ point }) => (!choice ? "–" : !choice.tried.includes(point) ? "too few" : !choice.holding.includes(point) ? "not shown" : choice.smallest.includes(point) ? { text: "✓ smallest", cls: "passed" } : "✓");
   return table(`Past the barrier, over the top or through: share of ${senses[sense]}, with its 95 % interval`, ["point", ...axes.map((axis) => in_unit(axis.name, axis.unit)), "rocks that arrive", "past (95 %)", "holds"],
-    summary.points.map((point) => [point.point, ...axes.map((axis) => at_axis(axis, point)), of_group(point.barriers[b]).rocks, right(share_text(past_at(point, b, sense))),
-      !is_tried(point, b) ? "too few" : !holds(point, b, held, sense) ? "not shown" : chosen.includes(point) ? { text: "✓ smallest", cls: "passed" } : "✓"]));
+    summary.points.map((point) => [point.point, ...axes.map((axis) => at_axis(axis, point)), of_group(point.barriers[b]).rocks, right(share_text(past_at(point, b, sense))), verdict(point)]));
 }
 
 function barrier_design_section() {
@@ -80,12 +66,8 @@ function barrier_design_section() {
     const told = paragraph("", ""), place = element("div");
     let held = 0.95, sense = "per_trial";
     const draw = () => {
-      const names = places_of_design(b).map(({ key, points }) => {
-        const list = smallest(b, points, held, sense).map((point) => strengths.map((axis) => `${last_step(axis)} ${at_text(axis, point)}`).join(" and "));
-        const tried = points.some((point) => is_tried(point, b));
-        return `${key ? `${key}: ` : ""}${list.length > 0 ? list.join("; or ") : tried ? "none of the sweep" : `too few: a rock arrives in fewer than ${least_trials} trials`}`;
-      });
-      told.textContent = strengths.length === 0 ? "" : `${group_name(shown_group())}: smallest that ${sense === "per_trial" ? `nothing passes in ${percent(held)} of the trials` : `hold ${percent(held)} of ${senses[sense]}`}, with 95 % confidence: ${names.slice(0, 10).join(". ")}.${names.length > 10 ? ` And ${names.length - 10} more places, in the table.` : ""}`;
+      const choice = choice_of(b, held, sense);
+      told.textContent = choice ? `${group_name(shown_group())}: smallest that ${sense === "per_trial" ? `nothing passes in ${percent(held)} of the trials` : `hold ${percent(held)} of ${senses[sense]}`}, with 95 % confidence: ${choice.text}.` : "";
       place.replaceChildren(numbers(design_table(b, held, sense)));
       if (node) draw_maps(node, b, maps_of, maps.slice(0, most_maps), sense);
     };
@@ -93,7 +75,7 @@ function barrier_design_section() {
     const of = chooser("of", Object.entries(senses), sense, (value) => { sense = value; draw(); });
     section(title, element("p", {}, choose, of), told, node ?? "", maps.length > most_maps ? paragraph("note", `${most_maps} of ${maps.length} maps shown.`) : "", place,
       caption("What goes over the top of the barrier or through it, of the rocks chosen above. A barrier holds a share if the upper end of the 95 % interval of the rest is small enough: more trials make it narrower.",
-        `Smallest: no barrier of the sweep that also holds has less height or capacity without more of the other. Too few: a rock arrives in fewer than ${least_trials} trials, which show nothing about the barrier. Each point has the same rocks.`));
+        `Smallest: no barrier of the sweep that also holds has less height or capacity without more of the other. Too few: a rock arrives in fewer than 10 trials, which show nothing about the barrier. Each point has the same rocks.`));
     redraw.push(draw);
   });
 }

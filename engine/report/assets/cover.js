@@ -44,11 +44,11 @@ const clear_text = (x, y, text) => drawn_text(x, y, text, { stroke: "#fff", "str
 const dimension_row = (x0, x1, y, text) => [
   drawn_line([[x0, y - 4], [x0, y + 4]], { stroke: colour.quiet }), drawn_line([[x1, y - 4], [x1, y + 4]], { stroke: colour.quiet }), drawn_line([[x0, y], [x1, y]], { stroke: colour.quiet }),
   // Beside the line where there is room for the text (6 a letter), else on it, with a ground that hides the lines to other rows.
-  Math.max(x0, x1) + 6 * text.length < sheet.wide ? clear_text(Math.max(x0, x1) + 6, y + 4, text) : clear_text(Math.min(x0, x1) + 6, y - 3, text)];
+  Math.max(x0, x1) + 6 * text.length < sheet.wide ? clear_text(Math.max(x0, x1) + 6, y + 4, text) : clear_text(Math.max(4, Math.min(Math.min(x0, x1) + 6, sheet.wide - 6 * text.length)), y - 3, text)];
 
 /** What has a place along x or in plan: { name, text, at: x | [x, y], line }. */
 function exposed_places(point) {
-  return (point.exposure ?? []).map((e) => ({ name: e.exposure, at: e.at, line: e.line }));
+  return (point.exposure ?? []).map((e) => ({ name: e.exposure, at: e.at, line: e.line, area: e.area_m2 }));
 }
 
 /** The greatest distance of each clearance that is given, from the releases. */
@@ -58,7 +58,7 @@ const distances_beside = (point) => point.clearance.flatMap((c) => [
   ...(c.customary ? [{ distance: c.customary, text: `legal or customary distance: ${show(c.customary)} m` }] : []),
   ...(c.known_throw ? [{ distance: c.beyond_known_throw, text: `1.5 times the farthest known throw: ${show(c.beyond_known_throw)} m` }] : [])])
   .filter((one, i, all) => all.findIndex((other) => other.text === one.text) === i);
-const clearance_words = (c) => `clearance ${c.name}: ${c.bound ? "≥ " : ""}${show(c.distance)} m${c.factor ? `, with the factor ${show(c.factor)}` : ""}`;
+const clearance_words = (c) => `clearance ${c.name}: ${c.bound ? "≥ " : ""}${show(Number(c.distance.toPrecision(3)))} m${c.factor ? `, with the factor ${show(c.factor)}` : ""}`;
 
 /** The section of a run in 2D: the ground, what stands on it as high as it is, and distances from the mean release. */
 function draw_cover_section(page, point) {
@@ -103,71 +103,17 @@ function draw_cover_section(page, point) {
   return { parts: [...parts, ...drawn_scale(to, end)], high: end + 12 };
 }
 
-/** The plan of a run in 3D: who and what stands where, with distances and azimuths from the mean release. */
-function draw_cover_plan(page, point) {
-  const s = page.section;
-  if (!s) return null;
-  const centre = [s.x, s.y], circles = drawn_clearances(point), beside = distances_beside(point), exposed = exposed_places(point);
-  const lines = [...places_of(point).filter((p) => p.line).map((p) => ({ name: p.name, line: p.line, colour: p.style.color })), ...exposed.filter((e) => e.line).map((e) => ({ name: e.name, line: e.line, colour: colour.blue }))];
-  const spots = exposed.filter((e) => e.at), areas = point.clearance.filter((c) => c.area && c.distance !== null);
-  const p99 = shown_group().runout.p99, far = Math.max(...circles.map((c) => c.distance), ...beside.map((c) => c.distance), ...areas.map((c) => c.distance), p99 ?? 0, 1);
-  const around = [[centre[0] - far, centre[1] - far], [centre[0] + far, centre[1] + far]];
-  const across = places_of(point).filter((p) => !p.line);  // at one x, over the whole plan
-  const all = [...around, ...spots.map((e) => e.at), ...lines.flatMap((l) => l.line), ...across.map((p) => [p.x, centre[1]])], margin = 0.03 * far;
-  const to = sheet_scale([least(all.map(([x]) => x)) - margin, most(all.map(([x]) => x)) + margin], [least(all.map(([, y]) => y)) - margin, most(all.map(([, y]) => y)) + margin]);
-  lines.push(...across.map((p) => ({ name: p.name, line: to.y.map((y) => [p.x, y]), colour: p.style.color })));
-  const parts = [], rows = [], [cx, cy] = to.at(...centre);
-  const ends = [...deposits_of(page.deposits).values()].flatMap((list) => list.points), every = Math.max(1, Math.ceil(ends.length / 1500));
-  for (let i = 0; i < ends.length; i += every) {
-    const [x, y] = to.at(ends[i].x, ends[i].across);
-    if (x > to.left && x < to.right && y > to.top && y < to.bottom) parts.push(svg_element("circle", { cx: x.toFixed(1), cy: y.toFixed(1), r: 1, fill: "#b8b2a6" }));
-  }
-  parts.push(svg_element("rect", { x: to.left, y: to.top, width: to.right - to.left, height: to.high, fill: "none", stroke: "#d5dae0" }));
-  const circle = (radius, dash) => svg_element("circle", { cx, cy, r: to.scale * radius, fill: "none", stroke: dash ? colour.quiet : colour.brick, "stroke-dasharray": dash ?? "none" });
-  const distance = ([x, y]) => Math.hypot(x - centre[0], y - centre[1]), azimuth = ([x, y]) => ((Math.atan2(y - centre[1], x - centre[0]) * 180) / Math.PI + 360) % 360;
-  const taken = [];
-  /** A number at the first of some places of the sheet that covers no other one. */
-  const number = (places) => {
-    const [x, y] = places.find(([px, py]) => taken.every(([qx, qy]) => Math.hypot(px - qx, py - qy) > 17)) ?? places[0], n = taken.push([x, y]);
-    parts.push(svg_element("circle", { cx: x, cy: y, r: 8, fill: "#fff", stroke: colour.ink }), drawn_text(x, y + 4, String(n), { "text-anchor": "middle" }));
-    return n;
-  };
-  const on_circle = (radius, first) => [0, 1, 2, 3, 4, 5, 6, 7].map((k) => first + (k * Math.PI) / 4).map((angle) => [cx + to.scale * radius * Math.cos(angle), cy - to.scale * radius * Math.sin(angle)]);
-  const row = (n, text) => rows.push(`${n}: ${text}`);
-  const nearest = (line) => line.slice(1).map(([x1, y1], i) => { const [x0, y0] = line[i], vx = x1 - x0, vy = y1 - y0, t = Math.min(1, Math.max(0, ((centre[0] - x0) * vx + (centre[1] - y0) * vy) / (vx * vx + vy * vy || 1))); return [x0 + t * vx, y0 + t * vy]; }).reduce((a, b) => (distance(b) < distance(a) ? b : a));
-  const where_text = (place) => `${show(Number(distance(place).toPrecision(3)))} m from the mean release, azimuth ${show(Math.round(azimuth(place)))} deg`;
-  for (const line of lines) {
-    parts.push(drawn_line(line.line.map((p) => to.at(...p)), { stroke: line.colour, "stroke-width": 2.5 }));
-    const near = nearest(line.line), [x, y] = to.at(...near);
-    parts.push(drawn_line([[cx, cy], [x, y]], { stroke: colour.quiet, "stroke-dasharray": "2 3" }));
-    row(number([[x, y], ...places_along(line.line).slice(2).map((p) => to.at(...p))]), `${line.name}: nearest ${where_text(near)}`);
-  }
-  for (const spot of spots) {
-    const [x, y] = to.at(...spot.at);
-    parts.push(drawn_line([[cx, cy], [x, y]], { stroke: colour.quiet, "stroke-dasharray": "2 3" }));
-    row(number([[x, y]]), `${spot.name}: ${where_text(spot.at)}`);
-  }
-  for (const c of circles) { parts.push(circle(c.distance)); row(number(on_circle(c.distance, Math.PI / 4)), clearance_words(c)); }
-  for (const c of beside) { parts.push(circle(c.distance, "8 3")); row(number(on_circle(c.distance, (5 * Math.PI) / 4)), c.text); }
-  for (const c of areas) rows.push(`area ${c.clearance}: reaches ${show(c.distance)} m from ${show(c.area.x)}, ${show(c.area.y)} (see Blasting area)`);
-  if (p99 !== null) { parts.push(circle(p99, "4 3")); row(number(on_circle(p99, (3 * Math.PI) / 4)), `99 % of ${group_name(shown_group())} ${ends_at_landing ? "first land" : "stop"} within ${show(p99)} m`); }
-  parts.push(svg_element("circle", { cx, cy, r: 3, fill: colour.brick }), drawn_text(to.left, to.top - 8, `mean release (red) at x = ${show(centre[0])} m, y = ${show(centre[1])} m; x to the right, y upwards`, { fill: colour.quiet }));
-  // Beside the plan where it leaves room for the longest line, else below it.
-  const is_beside = to.right + 300 < sheet.wide, [x, y] = is_beside ? [to.right + 14, to.top + 16] : [to.left, to.bottom + 18];
-  rows.forEach((text, i) => parts.push(drawn_text(x, y + 15 * i, text)));
-  const end = Math.max(to.bottom + 18, is_beside ? y + 15 * rows.length : to.bottom + 18 + 15 * rows.length + 8);
-  return { parts: [...parts, ...drawn_scale(to, end)], high: end + 12 };
-}
-
 function drawing_section() {
   if (of_bodies) return;
-  const node = element("div", { class: "drawing", role: "img", "aria-label": "Drawing to scale; its numbers are in the tables below" }), note = paragraph("note", "");
-  section(summary.dimension === 2 ? "Section to scale" : "Plan to scale", note, node,
-    caption(summary.dimension === 2 ? "The ground, what stands on it as high as it is, and distances from the mean release, all at one scale." : "Who and what stands where, and the distances of this run, all at one scale. Grey: where rocks ended."));
+  const node = element("div", { class: "drawing", role: "img", "aria-label": "Drawing to scale; its numbers are in the list beside it and in the tables below" }), note = paragraph("note", "");
+  const is_plan = summary.dimension === 3;
+  section(is_plan ? "Plan to scale" : "Section to scale", note, node, ...(is_plan ? [] : [caption("The ground, what stands on it as high as it is, and distances from the mean release, all at one scale.")]));
   redraw.push(() => {
-    const page = data.points[shown.point], point = summary.points[shown.point], drawing = summary.dimension === 2 ? draw_cover_section(page, point) : draw_cover_plan(page, point);
+    const page = data.points[shown.point], point = summary.points[shown.point], nothing = paragraph("note", "Nothing to draw: no rock came through.");
     note.textContent = `Shown: ${shown_text()}.${data.drawn.terrain ? " The terrain is drawn anew in each trial; the ground is that of trial 0." : ""}`;
-    node.replaceChildren(drawing ? svg_element("svg", { viewBox: `0 0 ${sheet.wide} ${drawing.high.toFixed(0)}`, "font-family": "system-ui, DejaVu Sans, sans-serif" }, ...drawing.parts) : paragraph("note", "Nothing to draw: no rock came through."));
+    if (is_plan) return node.replaceChildren(...(cover_plan(page, point) ?? [nothing]));
+    const drawing = draw_cover_section(page, point);
+    node.replaceChildren(drawing ? svg_element("svg", { viewBox: `0 0 ${sheet.wide} ${drawing.high.toFixed(0)}`, "font-family": "system-ui, DejaVu Sans, sans-serif" }, ...drawing.parts) : nothing);
   });
 }
 

@@ -15,8 +15,8 @@ function pattern_plot(node, blast) {
     text: holes.map((hole) => `${hole.hole}<br>${show(1000 * hole.time_s)} ms`), textposition: "top center", textfont: { size: 11 }, hovertext: holes.map(text), hoverinfo: "text",
     marker: { size: holes.map((hole) => 9 + 30 * Math.sqrt(share[hole.hole] ?? 0)), color: holes.map((hole) => 1000 * hole.time_s), colorscale: "Viridis",
       line: { color: colour.ink, width: 1 }, colorbar: { title: { text: "time in ms" } } } };
-  const along = turned ? axis("y in m") : axis("x in m");
-  const across = !has_y ? { ...axis("row"), tickvals: y, ticktext: holes.map((hole) => hole.row) } : { ...(turned ? axis("x in m") : axis("y in m")), scaleanchor: "x", ...(turned ? { autorange: "reversed" } : {}) };
+  const along = turned ? place_axis("y in m") : place_axis("x in m");
+  const across = !has_y ? { ...axis("row"), tickvals: y, ticktext: holes.map((hole) => hole.row) } : { ...(turned ? place_axis("x in m") : place_axis("y in m")), scaleanchor: "x", ...(turned ? { autorange: "reversed" } : {}) };
   plot(node, [trace], { height: 420, xaxis: along, yaxis: across }, true);
 }
 

@@ -16,14 +16,8 @@ const runout_short = runout_title.toLowerCase();  // where there is little room
 const quantity_name = (quantity) => (quantity === "runout" ? runout_short : quantity);
 const end_name = (reason) => (reason === "stopped" && ends_at_landing ? "first landed" : reason);
 
-/** The group whose rocks go farthest (0: all of them, where there is one group only, or bodies). */
-function farthest_group() {
-  const groups = summary.points[0].rocks;
-  if (groups.length < 2 || of_bodies) return 0;
-  return groups.reduce((best, group, g) => (g > 1 && (group.runout.p95 ?? -1) > (groups[best].runout.p95 ?? -1) ? g : best), 1);
-}
 /** What is shown: a sweep point, and a group of rocks (0: all of them). */
-const shown = { point: 0, group: farthest_group() };
+const shown = { point: 0, group: data.farthest_group ?? 0 };
 const redraw = [];  // each draws one part for what is shown
 
 // ---- elements --------------------------------------------------------------------------------------------------

@@ -84,7 +84,7 @@ function draw_envelopes(node, envelopes, group, point) {
   });
   traces.push({ x: group.x.map((v) => v + width / 2), y: group.count, yaxis: "y4", type: "bar", width, name: "rocks that came here", showlegend: false, marker: { color: colour.sky }, hovertemplate: "%{y} rocks came to x = %{x:.1f} m<extra></extra>" });
   const rows = [[0.77, 1], [0.53, 0.75], [0.29, 0.51], [0, 0.26]];
-  const layout = { height: 760, legend, hovermode: "closest", bargap: 0, xaxis: { ...axis("distance x in m"), anchor: "y4" } };
+  const layout = { height: 760, legend, hovermode: "closest", bargap: 0, xaxis: { ...place_axis("distance x in m"), anchor: "y4" } };
   envelope_rows.forEach(([, title], row) => { layout[`yaxis${row === 0 ? "" : row + 1}`] = { ...axis(title), domain: rows[row], rangemode: "tozero" }; });
   layout.yaxis4 = { ...axis("rocks"), domain: rows[3], rangemode: "tozero" };
   plot(node, traces, { ...layout, ...place_lines(point, 760, pixels_of(node, [x[0], x.at(-1)])) });
@@ -112,11 +112,21 @@ function envelopes_section() {
 const most_inputs = 15;
 const has_interval = (line) => line.lower !== null;
 const is_told = (line) => has_interval(line) && (line.lower > 0 || line.upper < 0);  // from chance
+const is_cause = (line) => line.of === null;  // or made of causes
+const made_of_text = (line) => (is_cause(line) ? "" : line.of.map(({ path, read }) => path + (read ? "" : " (not read)")).join(", "));
+
+/** What this group does not read, and which inputs are made of others. */
+function sensitivity_remarks({ inputs, not_read }) {
+  const made = inputs.filter((line) => !is_cause(line)), remarks = [];
+  for (const path of not_read) remarks.push(`${path} moves nothing: no model of these rocks reads it.`);
+  if (made.length > 0) remarks.push(`${made.map((line) => line.path).join(", ")} ${made.length === 1 ? "is" : "are"} made of other inputs and no further ${made.length === 1 ? "cause" : "causes"}.`);
+  return remarks.map((text) => paragraph("note", text));
+}
 
 function draw_tornado(node, inputs) {
   const lines = inputs.slice(0, most_inputs).reverse();  // the strongest on top
   const bars = (keep, name, fill) => ({
-    type: "bar", orientation: "h", name, x: lines.map((line) => (keep(line) ? line.r : null)), y: lines.map((line) => line.path), marker: fill,
+    type: "bar", orientation: "h", name, x: lines.map((line) => (keep(line) ? line.r : null)), y: lines.map((line) => line.path + (is_cause(line) ? "" : " (made of others)")), marker: fill,
     error_x: { type: "data", symmetric: false, array: lines.map((line) => (has_interval(line) ? line.upper - line.r : null)), arrayminus: lines.map((line) => (has_interval(line) ? line.r - line.lower : null)), color: colour.ink, thickness: 1.5 },
     customdata: lines.map((line) => [line.lower, line.upper]), hovertemplate: "%{y}<br>rank correlation %{x:.3f}, interval %{customdata[0]:.3f} to %{customdata[1]:.3f}<extra></extra>",
   });
@@ -140,16 +150,17 @@ function sensitivity_section() {
     if (group < 0) return content.replaceChildren(paragraph("note", "Choose one group of rocks: each has its own inputs."));
     const { count, confidence, inputs } = lists[group];
     if (count < 30) return content.replaceChildren(paragraph("note", `Needs at least 30 rocks that did not fail; there are ${count}.`));
-    if (inputs.length === 0) return content.replaceChildren(paragraph("note", "The run reads nothing for these rocks that was drawn from a distribution and differs from rock to rock."));
+    if (inputs.length === 0) return content.replaceChildren(paragraph("note", "The run reads nothing for these rocks that was drawn from a distribution and differs from rock to rock."), ...sensitivity_remarks(lists[group]));
     const node = plot_node(`Rank correlation of each input with the ${runout_name}; the same numbers in the table below`);
     const each = data.drawn.impact.length > 0 ? ` Drawn at every impact and ranked by their mean over a rock: ${data.drawn.impact.join(", ")}.` : "";
-    const curves = curves_of(inputs), sure = percent(confidence), told = inputs.filter(is_told).length;
+    const curves = curves_of(inputs), sure = percent(confidence), causes = inputs.filter(is_cause), told = causes.filter(is_told).length;
     content.replaceChildren(node, paragraph("note", `Shown: ${shown_text()}; ${count === 10000 ? "the first 10000 rocks" : counted(count, "rock", "rocks")}, ` +
-      `${inputs.length > most_inputs ? `the ${most_inputs} strongest of ${inputs.length} inputs` : `all ${inputs.length} inputs`} that the run reads. ${told} of ${inputs.length} can be told from chance.${inputs.some(has_interval) ? "" : " Too few trials for intervals: they need at least 30."}`),
+      `${inputs.length > most_inputs ? `the ${most_inputs} strongest of ${inputs.length} inputs` : `all ${inputs.length} inputs`} that the run reads. ${told} of ${causes.length} causes can be told from chance.${inputs.some(has_interval) ? "" : " Too few trials for intervals: they need at least 30."}`),
       caption("The input with the longest bar orders the distances most: measure it first. A grey bar cannot be told from chance.",
-        `A bar is Spearman's rank correlation, from -1 to 1. Whiskers correct for the number of inputs (Bonferroni): with ${inputs.length} of them each is a ${sure} interval, so that all hold together with 95 %. The rocks of one trial depend on each other: the interval takes the trial as its unit.`,
+        `A bar is Spearman's rank correlation, from -1 to 1. Whiskers correct for the number of inputs (Bonferroni): with ${causes.length} causes each is a ${sure} interval, so that all hold together with 95 %. The rocks of one trial depend on each other: the interval takes the trial as its unit.`,
         "It sees rising and falling influence, not one that turns round. A censored distance has the rank of its lower bound. Inputs that this group's rocks do not depend on are left out." + each),
-      numbers(table("", ["input", "rank correlation", `${sure} from`, "to"], inputs.map((line) => [line.path, line.r, line.lower, line.upper]))), ...curves.nodes);
+      ...sensitivity_remarks(lists[group]),
+      numbers(table("", ["input", "rank correlation", `${sure} from`, "to", "made of"], inputs.map((line) => [line.path, line.r, line.lower, line.upper, made_of_text(line)]))), ...curves.nodes);
     draw_tornado(node, inputs);
     curves.draw();
   });

@@ -19,7 +19,7 @@ function draw_all() {
 function facts_section() {
   const rocks = summary.points.reduce((sum, point) => sum + point.rocks[0].count, 0);
   const trials = summary.points.reduce((sum, point) => sum + point.trials, 0);
-  root.append(paragraph("facts", `${of_bodies ? counted(rocks, "body", "bodies") : counted(rocks, "rock", "rocks")} in ${counted(trials, "trial", "trials")}` + (many_points ? ` of ${data.points.length} sweep points` : "") +
+  document.getElementById("about").append(paragraph("facts", `${of_bodies ? counted(rocks, "body", "bodies") : counted(rocks, "rock", "rocks")} in ${counted(trials, "trial", "trials")}` + (many_points ? ` of ${data.points.length} sweep points` : "") +
     `; ${summary.dimension}D, ${summary.method}, seed ${summary.seed}; flyrock ${summary.flyrock}.` +
     (summary.dimension === 2 ? " Mass, inertia and energy are of the whole rock, never per metre." : "") +
     (summary.points[0].rows ? ` Rows, paths and inputs are of the first rocks (${summary.points[0].rows}); statistics are of all.` : "")));
@@ -41,8 +41,10 @@ function facts_section() {
 }
 
 answer_in_lines();
+questions_table();
 facts_section();
 drawing_section();
+about_answer();
 inputs_section();
 against_section();
 best_point_section();

@@ -11,13 +11,20 @@ function cell_of(i, n, columns) {
 }
 
 // ---- sweep -----------------------------------------------------------------------------------------------------
-/** The percentiles against the value of the only axis of a sweep. */
-function draw_sweep(node, axis_of_sweep, group) {
-  const x = summary.points.map((point) => at_axis(axis_of_sweep, point)), title = in_unit(axis_of_sweep.name, axis_of_sweep.unit);
+/** What the points of a sweep may be drawn over: its axes, and the numbers of the blast that follow from them and differ. Over an axis of a grid, or over a number that several axes move, points have no order. */
+function sweep_axes() {
+  const swept = data.axes.map((axis) => ({ name: in_unit(axis.name, axis.unit), x: summary.points.map((point) => at_axis(axis, point)), is_line: data.axes.length === 1 && !is_choice(axis) }));
+  const derived = (point) => (point.blast ? point.blast.derived : []), first = derived(summary.points[0]);
+  const made = first.map(({ path, unit, of }) => ({ name: `${in_unit(path, unit === "1" ? "" : unit)}, made of ${of.join(", ")}`, x: summary.points.map((point) => derived(point).find((line) => line.path === path)?.value ?? null), is_line: false }));
+  return [...swept, ...made.filter(({ x }) => x.some((value) => value !== x[0]))];
+}
+
+/** The percentiles at each point of a sweep. */
+function draw_sweep(node, { name: title, x, is_line }, group) {
   const traces = [["p50", "circle", colour.blue, "solid"], ["p95", "square", colour.vermillion, "dash"], ["p99", "diamond", colour.green, "dot"]].map(([name, symbol, line_colour, dash]) => {
     const s = summary.points.map((point) => point.rocks[group].runout), ends = s.map((q) => q.intervals[name]);
     return {
-      x, y: s.map((q) => q[name]), name, mode: is_choice(axis_of_sweep) ? "markers" : "lines+markers", line: { color: line_colour, dash }, marker: { symbol, size: 8 },
+      x, y: s.map((q) => q[name]), name, mode: is_line ? "lines+markers" : "markers", line: { color: line_colour, dash }, marker: { symbol, size: 8 },
       error_y: { type: "data", symmetric: false, array: s.map((q, i) => (ends[i][1] === null ? 0 : ends[i][1] - q[name])), arrayminus: s.map((q, i) => (ends[i][0] === null ? 0 : q[name] - ends[i][0])), color: line_colour, thickness: 1 },
       hovertemplate: `${title}: %{x}<br>${name} of the ${runout_name} %{y:.1f} m<extra></extra>`,
     };
@@ -62,19 +69,21 @@ function sweep_table(group) {
 function sweep_section() {
   if (!many_points || of_bodies) return;
   const small = plot_node(`A histogram of the ${runout_name} for each sweep point; the same percentiles in the table below`);
-  const drawn = data.axes.length === 1 ? plot_node(`Percentiles of the ${runout_name} over the swept value`) : null;
+  const axes = sweep_axes(), drawn = axes.length > 0 && (data.axes.length === 1 || axes.length > data.axes.length) ? plot_node(`Percentiles of the ${runout_name} over the swept value, or over a number that follows from it`) : null;
+  let over = 0;
   const note = paragraph("note", ""), table_place = element("div");
   const draw = () => {
     const group = shown.group;
     note.textContent = `Shown: ${group_name(summary.points[0].rocks[group])}; above each plot its number and ${data.axes.map((axis) => axis.name).join(", ")}.`;
     if (summary.points.some((point) => point.rocks[group].runout.p95 !== null)) draw_points(small, pages.points(), group);
     else no_plot(small, `No ${runout_name} is known at any point.`);
-    if (drawn) draw_sweep(drawn, data.axes[0], group);
+    if (drawn) draw_sweep(drawn, axes[over], group);
     table_place.replaceChildren(summary.points.length > most_small ? numbers(sweep_table(group)) : sweep_table(group));
   };
   const pages = point_pages(most_small, draw);
   section("Sweep", pages.bar, note, small,
     caption(`How the distribution of the ${runout_name} moves from point to point; all plots have the same scales. The dashed line is p95.`, "The same rocks meet every point: differences between points are not noise of the draw."),
+    drawn && axes.length > 1 ? chooser("Over", axes.map((axis, i) => [i, axis.name]), over, (i) => { over = Number(i); draw(); }) : "",
     drawn ?? "", drawn ? caption("How much the percentiles depend on the swept value. Whiskers are their 95 % confidence intervals.") : "", table_place);
   redraw.push(draw);
 }

@@ -21,7 +21,7 @@ function deposits_of(deposits) {
     trial += deposits.trial[i];
     if (shown.group !== 0 && deposits.group[i] !== shown.group - 1) return;
     if (!ends.has(reason)) ends.set(reason, no_points());
-    add_point(ends.get(reason), { x: x[i], across: y[i], height: z[i] }, [trial, deposits.rock[i], null, null, data.groups[deposits.group[i]]]);
+    add_point(ends.get(reason), { x: x[i], across: y[i], height: z[i], is_far: i >= x.length - deposits.far }, [trial, deposits.rock[i], null, null, data.groups[deposits.group[i]]]);
   });
   return ends;
 }
@@ -35,9 +35,9 @@ function ends_in_space(page, tracks) {
 
 /** What the plots in 3D show of paths and ends, for a note. */
 function shown_of_space(page, tracks) {
-  const { group, count } = page.deposits, held = shown.group === 0 ? group.length : group.filter((g) => g === shown.group - 1).length;
+  const { group, count, far } = page.deposits, held = shown.group === 0 ? group.length : group.filter((g) => g === shown.group - 1).length;
   const ends = of_bodies ? counted(held, "body", "bodies") : counted(held, "rock", "rocks");
-  const paths_cut = page.tracks.cut ? " (more were stored than a page holds)" : "", ends_cut = group.length < count ? ` (of the first ${group.length} of ${count})` : "";
+  const paths_cut = page.tracks.cut ? " (more were stored than a page holds)" : "", ends_cut = group.length < count ? ` (of the first ${group.length - far} and ${far} others of ${count}, some of each distance)` : "";
   return `Shown: ${shown_text()}; ${counted(tracks.length, "path", "paths")}${paths_cut}, the ends of ${ends}${ends_cut}.`;
 }
 

@@ -5,7 +5,7 @@ function gate_plots(gates) {
   return gates.filter((g) => g.along && g.along.rocks.length > 0).flatMap((g) => {
     const node = element("div"), { bin_m, from_m, rocks } = g.along;
     queueMicrotask(() => plot(node, [{ type: "bar", x: rocks.map((_, i) => from_m + (i + 0.5) * bin_m), y: rocks, marker: { color: colour.blue }, hovertemplate: `%{x:.0f} m: %{y}<extra></extra>` }],
-      { height: 220, bargap: 0, xaxis: axis(g.line ? "m along the line" : "y in m"), yaxis: axis("rocks") }, true));
+      { height: 220, bargap: 0, xaxis: place_axis(g.line ? "m along the line" : "y in m"), yaxis: axis("rocks") }, true));
     return [paragraph("note", `Where rocks arrive at gate ${g.gate}:`), node];
   });
 }
@@ -185,6 +185,7 @@ function solver_section() {
     const s = point.solver;
     return [table("", ["quantity", "value", "unit", "meaning"], [
       ["steps", s.steps, "", `time steps with contact, ${s.cut_steps} of them cut short at a contact that opens or closes, ${s.refused_steps} repeated with a shorter length because of their error`],
+      ["dense steps", s.dense_steps, "", `steps of many bodies that no touch cuts; ${s.dense_unfinished} of their contact problems kept a residual above their tolerance`],
       ["mean step", s.steps === 0 ? null : s.mean_step * 1e3, "ms", s.steps === 0 ? "no steps in contact" : `from ${(s.least_step * 1e3).toPrecision(3)} ms (where no touch cuts a step short) to ${(s.greatest_step * 1e3).toPrecision(3)} ms`],
       ["flights", s.flights, "", "stretches of exact flight between contacts"],
       ["impact problems", s.impact_problems, "", "impacts solved in impulses"],
@@ -196,6 +197,9 @@ function solver_section() {
       ["greatest residual", s.max_residual, "m/s", "of the scaled contact equations, all problems"],
       ["greatest penetration", s.max_penetration, "m", "of a rock into the ground or another rock"],
       ["greatest swing of a spring", s.max_spring_angle === null ? null : (s.max_spring_angle * 180) / Math.PI, "deg", "of `penalty`, in one step: bounces are inaccurate above 28.6 deg and gain energy above 115 deg"],
+      ["unsolved depth", s.dense_steps === 0 ? null : s.unsolved_depth, "", "of a contact that no dense step had among its own, as a share of the smaller size"],
+      ["theta loss", s.dense_steps === 0 ? null : s.theta_loss, "J", "potential energy that dense steps lose, being of first order"],
+      ["projection energy", s.dense_steps === 0 ? null : s.projection_energy, "J", "by which dense steps lift bodies out of each other"],
       ["energy gains", s.energy_gains, "", "impacts that made energy beyond rounding; should be 0"],
       ["energy gained", s.energy_gained, "J", "by them, together"],
       ["gains by slip", s.gains_by_slip, "", "impacts of form `newton` that made energy because slip ended or reversed, a property of the form; not among the energy gains"],

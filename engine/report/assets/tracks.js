@@ -126,8 +126,8 @@ function draw_tracks(node, point, crossings, tracks, shrouds) {
   const lines = place_lines(crossings, height, pixels, (place) => place.of.height_m === undefined);  // a barrier is as high as it is drawn
   plot(node, [ground, ...shrouds, ...paths, ...fences], {
     height, hovermode: "closest", legend,
-    xaxis: { ...axis("distance x in m"), range: window.x },
-    yaxis: { ...axis("height y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
+    xaxis: { ...place_axis("distance x in m"), range: window.x },
+    yaxis: { ...place_axis("height y in m"), range: window.y, scaleanchor: "x", scaleratio: 1 },
     shapes: lines.shapes, annotations: [...lines.annotations, ...names],
   }, true);
 }

@@ -96,7 +96,7 @@ TEST_CASE("in 3D rough ground tilts along the motion and across it, both among t
   REQUIRE(tilts.size() == 2);
   CHECK(tilts[0] != tilts[1]);
   const Draw& draw = point.draws.at(static_cast<std::size_t>(point.materials.front().roughness->draw));
-  CHECK(tilts[0] == draw.value(point.seed, {.trial = 0, .hole = 1, .rock = 1, .impact = 1}));
+  CHECK(tilts[0] == draw.value(point.streams.seed, {.trial = 0, .hole = 1, .rock = 1, .impact = 1}));
 }
 
 TEST_CASE("constant roughness, and draws of another scope, are not inputs of impacts") {

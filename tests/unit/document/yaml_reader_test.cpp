@@ -1,5 +1,7 @@
 #include "document/yaml_reader.h"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 
 using namespace flyrock;

@@ -132,7 +132,7 @@ TEST_CASE("Only inputs that the rocks of a group depend on are ranked") {
   CHECK(read_by(benches, 0, "blast.burden"));  // bench_fit
   CHECK_FALSE(read_by(benches, 0, "blast.hole.stemming"));
   CHECK_FALSE(read_by(benches, 0, "blast.hole.charge_length"));
-  CHECK_FALSE(RankedInputs(benches).reads(0, DerivedInput::charge_per_hole));
+  CHECK_FALSE(RankedInputs(benches).reads(0, Derived::charge));
   CHECK_FALSE(read_by(benches, 1, "blast.burden"));  // loose rock has a given speed
   CHECK(read_by(benches, 1, "rocks.loose.launch.speed"));
 
@@ -147,8 +147,8 @@ TEST_CASE("Only inputs that the rocks of a group depend on are ranked") {
   const auto mckenzie = std::find_if(side_by_side.rocks.begin(), side_by_side.rocks.end(),
                                      [](const RockGroup& group) { return group.name == "mckenzie"; });
   const auto group = static_cast<std::size_t>(mckenzie - side_by_side.rocks.begin());
-  CHECK(RankedInputs(side_by_side).reads(group, DerivedInput::charge_per_hole));
-  CHECK_FALSE(RankedInputs(side_by_side).reads(group, DerivedInput::powder_factor));  // of the burden, too
+  CHECK(RankedInputs(side_by_side).reads(group, Derived::charge));
+  CHECK(RankedInputs(side_by_side).reads(group, Derived::powder_factor));  // of the charge, though not of the burden
 }
 
 TEST_CASE("The inputs of a law that no contact asked are not ranked") {

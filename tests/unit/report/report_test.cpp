@@ -8,6 +8,7 @@
 #include <regex>
 
 #include "batch/safe_file.h"
+#include "document/yaml_reader.h"
 #include "report/html.h"
 #include "report/report_data.h"
 #include "report/runout_data.h"
@@ -15,6 +16,7 @@
 #include "report/summary_data.h"
 #include "report/tables.h"
 #include "report/tracks.h"
+#include "report/used_sources.h"
 #include "results/answer.h"
 #include "unit/results/fake_results.h"
 #include "units/units.h"
@@ -298,4 +300,59 @@ TEST_CASE("A thinned path keeps its corners and its ends") {
   CHECK(simplify({{1, 1, 0}}, 1) == std::vector<std::size_t>{0});
   // A closed path: its ends coincide, and the farthest point is kept.
   CHECK(simplify({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, 0.1) == std::vector<std::size_t>{0, 1, 2});
+}
+
+namespace document_test {
+
+std::string page_with(const nlohmann::ordered_json& document) {
+  const nlohmann::ordered_json summary = {
+      {"title", "t"},       {"fault_line", ""}, {"answer", "One. Two."}, {"first_sentence", "One."},
+      {"assumptions", "a"}, {"dimension", 2},   {"document", document}};
+  return report_html({{"summary", summary}}, std::string(FLYROCK_SHARE_DIR) + "/report");
+}
+
+bool has(const std::string& text, const std::string& what) { return text.find(what) != std::string::npos; }
+
+}  // namespace document_test
+
+using document_test::has;
+
+TEST_CASE("the head of a page names who checked it and its revision, and lines to sign on are asked for") {
+  const nlohmann::ordered_json texts = {{"author", "A <b>"}, {"checked_by", "C"}, {"revision", "B"}};
+  const std::string plain = document_test::page_with(texts);
+  CHECK(has(plain, "<b>Author</b> A &lt;b&gt; · <b>Checked by</b> C · <b>Revision</b> B</p>"));
+  CHECK_FALSE(has(plain, "Date and signature"));
+  nlohmann::ordered_json to_sign = texts;
+  to_sign["signature"] = true;
+  const std::string page = document_test::page_with(to_sign);
+  CHECK(has(page, "<p>Author: A &lt;b&gt;</p><p>Date and signature</p>"));
+  CHECK(has(page, "<p>Checked by: C</p><p>Date and signature</p>"));
+  CHECK_FALSE(has(page, "<b>Signature</b>"));
+}
+
+TEST_CASE("the first sentence of the answer stands alone, the rest after the drawing") {
+  const std::string page = document_test::page_with({{"author", "A"}});
+  CHECK(has(page, "<p class=\"answer\">One.</p>\n<div id=\"questions\"></div>"));
+  CHECK(has(page, "<p class=\"rest\">Two.</p>"));
+}
+
+TEST_CASE(
+    "the hashes of a page are those of the plugins that the scenario names, and of all that a user wrote") {
+  LoadedScenario loaded;
+  Diagnostics diagnostics;
+  loaded.plan.resolved =
+      *read_yaml(R"(rocks: [{ launch: { type: gurney }, shape: { type: { sweep: [sphere, box] } } }]
+terrain: { type: mine }
+blast: { lundborg: 3 }
+)",
+                 "s.yaml", diagnostics);
+  for (const char* name : {"plugins/velocity/gurney/plugin.lua", "plugins/velocity/lundborg/plugin.lua",
+                           "plugins/shape/sphere/plugin.lua", "plugins/shape/box/plugin.lua",
+                           "plugins/shape/cone/plugin.lua", "my_terrain.lua", "plugins/mine.lua"})
+    loaded.sources.push_back({name, "0"});
+  std::vector<std::string> used;
+  for (const SourceHash& source : used_sources(loaded)) used.push_back(source.name);
+  CHECK(used == std::vector<std::string>{"plugins/velocity/gurney/plugin.lua",
+                                         "plugins/shape/sphere/plugin.lua", "plugins/shape/box/plugin.lua",
+                                         "my_terrain.lua", "plugins/mine.lua"});
 }

@@ -21,7 +21,7 @@ inline TerrainPicture bench() {
 inline Scenario scenario(std::uint64_t trials) {
   Scenario s;
   s.title = "A </script> & <b>test</b>";
-  s.seed = 7;
+  s.streams.seed = 7;
   s.trials = trials;
   s.materials.resize(2);
   s.materials[0].name = "rock";

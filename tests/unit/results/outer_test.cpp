@@ -69,7 +69,8 @@ TEST_CASE("each run of `outer` has its own draw per run, and percentiles are ove
   std::vector<double> ranges;
   for (std::uint64_t run = 0; run < 30; ++run) {
     // The number of a run is the draw of a scenario of one run at this place of its stream.
-    const double speed = draw.quantile(uniform_at(loaded.first().seed, draw.stream_hash, {.trial = run}));
+    const double speed =
+        draw.quantile(uniform_at(loaded.first().streams.seed, draw.stream_hash, {.trial = run}));
     ranges.push_back(range(speed));
     for (std::uint64_t trial = 7 * run; trial < 7 * (run + 1); ++trial)
       CHECK(records.rocks[trial].launch_speed == Approx(speed).epsilon(1e-12));

@@ -74,7 +74,7 @@ TEST_CASE("a scenario of bodies: units, defaults and names") {
   const Plan plan = decode_text(head + ground + ball);
   REQUIRE(plan.points.size() == 1);
   const Scenario& s = plan.points[0];
-  CHECK(s.seed == 1);
+  CHECK(s.streams.seed == 1);
   CHECK(s.trials == 1);
   CHECK(s.gravity.constant == 9.81);
   CHECK(s.stop.time == 2);
@@ -285,7 +285,7 @@ TEST_CASE("the options --set, --seed and --trials") {
   CHECK(s.bodies[0].mass->constant == 2);
   CHECK(s.bodies[0].position[0].constant == 1);
   CHECK(s.solver.theta == 0.6);
-  CHECK(s.seed == 7);
+  CHECK(s.streams.seed == 7);
   CHECK(s.trials == 12);
   CHECK(refuse(head + ground + ball, {{"stop.tme=5"}, {}, {}}) ==
         "stop.tme: unknown key, did you mean `time`?\n");
@@ -460,7 +460,7 @@ TEST_CASE("whole numbers keep their digits or are refused, from a file and from 
   const auto seed_of = [&](const std::string& seed) {
     Diagnostics diagnostics;
     const std::optional<Plan> plan = try_decode(head + ground + ball + "seed: " + seed + "\n", diagnostics);
-    return plan ? std::to_string(plan->points[0].seed) : std::string();
+    return plan ? std::to_string(plan->points[0].streams.seed) : std::string();
   };
   Dice dice;
   int refused = 0;
@@ -476,7 +476,7 @@ TEST_CASE("whole numbers keep their digits or are refused, from a file and from 
     Diagnostics diagnostics;
     const auto plan = try_decode(head + ground + ball, diagnostics, overrides);
     CHECK(plan.has_value() == !kept.empty());
-    if (plan) CHECK(plan->points[0].seed == whole);
+    if (plan) CHECK(plan->points[0].streams.seed == whole);
     overrides = {.set = {"seed=" + text}};
     Diagnostics again;
     CHECK(try_decode(head + ground + ball, again, overrides).has_value() == !kept.empty());
