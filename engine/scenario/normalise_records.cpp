@@ -71,7 +71,7 @@ Value read_yaml_file(DecodeContext& context, const Node& node, const ParamSpec& 
 Value read_table_file(DecodeContext& context, const Node& node, const ParamSpec& spec, const fs::path& path) {
   std::vector<TableColumn> columns = table_columns(spec.fields);
   for (std::size_t i = 0; i < columns.size(); ++i) columns[i].required = spec.fields[i].required();
-  const auto table = read_table(path.string(), columns, {}, node, context.diagnostics);
+  const auto table = read_table_of(context, spec.name, path.string(), columns, {}, node);
   if (!table) return {};
   List list;
   for (std::size_t row = 0; row < table->rows(); ++row) {
@@ -81,7 +81,7 @@ Value read_table_file(DecodeContext& context, const Node& node, const ParamSpec&
         const std::string_view text = table->text(row, field.name);
         if (!text.empty()) put(record, field.name, text_value(std::string(text)));
       } else if (const auto number = table->number(row, field.name)) {
-        if (const std::string fault = fault_of_cell(field, *number); !fault.empty())
+        if (const std::string fault = fault_of_cell(*table, field, *number); !fault.empty())
           context.diagnostics.error(table->at(row, field.name), node.path,
                                     fmt::format("`{}` {}", field.name, fault));
         put(record, field.name, number_value(*number, field.dimension));

@@ -25,6 +25,7 @@ namespace flyrock {
 namespace {
 
 constexpr int becomes_dense = 40, becomes_exact = 20;  // contacts of an island
+constexpr int no_partner = -2, several = -3;           // in place of a body or, -1, the terrain
 constexpr double slop = 1e-5;                          // of the smaller size of a pair
 
 /// The order of the contacts of a step.
@@ -181,29 +182,42 @@ void World<D>::put_gaps(double h) {
   }
 }
 
-/// Moves the bodies to the end of the step.
+/// When each body bounces off the only body, or the terrain, that pushes it, and which has no other contact
+/// either [s]; infinite: it does not. Bodies with more contacts move as the scheme has it: along their free
+/// paths they would come into what holds them.
 template <int D>
-void World<D>::move_densely(double h) {
-  doubt_.assign(bodies.size(), infinite);  // s, the first bounce of each body
-  theta_loss_ = 0;
-  touching_.assign(bodies.size(), 0);  // whether impulses act on it
+void World<D>::find_lone_bounces() {
+  partner_.assign(bodies.size(), no_partner);
+  bounce_.assign(bodies.size(), infinite);
   for (const Contact& c : contacts_) {
     if (c.impulse.isZero(0)) continue;
     for (const int i : {c.candidate, c.antagonist}) {
       if (i < 0) continue;
-      touching_[i] = 1;
-      if (c.bounces) doubt_[i] = std::min(doubt_[i], c.touch);
+      const int other = c.other_than(i);
+      partner_[i] = c.bounces && (partner_[i] == no_partner || partner_[i] == other) ? other : several;
+      bounce_[i] = std::min(bounce_[i], c.touch);
     }
   }
+  const auto is_alone = [&](int i) { return i < 0 || !bodies[i].moves() || partner_[i] != several; };
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (partner_[i] == no_partner || partner_[i] == several || !is_alone(partner_[i])) bounce_[i] = infinite;
+}
+
+/// Moves the bodies to the end of the step.
+template <int D>
+void World<D>::move_densely(double h) {
+  find_lone_bounces();
+  theta_loss_ = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     Body<D>& body = bodies[i];
     if (!body.present || body.kind == BodyKind::fixed) continue;
+    const bool is_pushed = partner_[i] != no_partner;
     typename Body<D>::Rows before;
     before << starts_[i].v, starts_[i].w;
     const typename Body<D>::Rows after = body.velocity();
-    if (!body.moves() || !touching_[i]) {
+    if (!body.moves() || !is_pushed) {
       body.displace(0.5 * h * (before + after));
-    } else if (const double t = doubt_[i]; t <= h) {
+    } else if (const double t = bounce_[i]; t <= h) {
       const typename Body<D>::Rows gain = free_[i] - before;
       body.displace(t * (before + 0.5 * t / h * gain) + (h - t) * (after - 0.5 * (h - t) / h * gain));
     } else {
@@ -246,7 +260,8 @@ void World<D>::find_dense_contacts(double h) {
 
 template <int D>
 typename World<D>::Outcome World<D>::dense_step(double h) {
-  constexpr int most_tries = 8;  // every other one is half as long
+  constexpr double most_sunk = 5e-4;  // of the size, of a solved contact
+  constexpr int most_tries = 8;       // every other one is half as long
   free_.resize(bodies.size());
   impacts_.clear();
   save();
@@ -274,7 +289,7 @@ typename World<D>::Outcome World<D>::dense_step(double h) {
     project_drift(true);
     const double lifted = total_energy() - energy;
     unsolved = unsolved_depth();
-    if (unsolved <= slop || tries == most_tries) {
+    if ((unsolved <= slop && sunk_share_ <= most_sunk) || tries == most_tries) {
       quality_.max_penetration = std::max(quality_.max_penetration, sunk_);
       quality_.projection_energy += lifted;
       quality_.theta_loss += theta_loss_;

@@ -285,6 +285,7 @@ class World {
   void foresee_touches(double h);
   bool ask_dense_laws(double h);
   void put_gaps(double h);
+  void find_lone_bounces();
   void move_densely(double h);
   double unsolved_depth();
   template <class Use>
@@ -399,7 +400,10 @@ class World {
   bool dense_ = false;                   ///< the next step is a dense one
   bool has_springs_ = false;             ///< a contact yields (`penalty`): never dense
   std::vector<int> contacts_of_island_;  ///< [the body that names it]
+  std::vector<int> partner_;             ///< [body], what alone pushes it in a dense step
+  std::vector<double> bounce_;           ///< s, [body], when it bounces in a dense step
   double sunk_ = 0;                    ///< m, the deepest contact of a step before its drift is projected out
+  double sunk_share_ = 0;                ///< the same, of the size
   std::vector<Row> free_of_contacts_;  ///< q of a dense problem
   double theta_loss_ = 0;              ///< J, of the dense step that is made now
   double ahead_ = 0;                   ///< s, the dense step that is made now
