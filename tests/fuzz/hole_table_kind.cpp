@@ -94,7 +94,7 @@ std::string spelled_head(Dice& dice, const HoleColumn& column, const Spelling& u
 }
 
 std::string decimal_of(double value, bool has_comma) {
-  std::string text = fmt::format("{:.10g}", value);
+  std::string text = fmt::format("{:.13g}", value);
   if (has_comma) std::replace(text.begin(), text.end(), '.', ',');
   return text;
 }
