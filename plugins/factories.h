@@ -32,6 +32,7 @@ std::unique_ptr<ShapeModel> make_compound(Params& params);
 std::unique_ptr<Population> make_independent(Params& params);
 std::unique_ptr<Population> make_fragments(Params& params);
 std::unique_ptr<Population> make_kuz_ram(Params& params);
+std::unique_ptr<Population> make_joint_blocks(Params& params);
 std::unique_ptr<RestitutionLaw> make_newton(Params& params);
 std::unique_ptr<FrictionLaw> make_coulomb(Params& params);
 std::unique_ptr<FrictionLaw> make_slip_weakening(Params& params);

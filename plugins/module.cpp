@@ -32,6 +32,7 @@ FLYROCK_MODULE(table) {
   table[{population, "independent"}] = make_independent;
   table[{population, "fragments"}] = make_fragments;
   table[{population, "kuz_ram"}] = make_kuz_ram;
+  table[{population, "joint_blocks"}] = make_joint_blocks;
   table[{restitution, "newton"}] = make_newton;
   table[{friction, "coulomb"}] = make_coulomb;
   table[{friction, "slip_weakening"}] = make_slip_weakening;

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "batch/block_corners.h"
 #include "batch/body_names.h"
 #include "batch/fixture.h"
 #include "batch/inputs.h"
@@ -265,6 +266,8 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   }
   const bool stores =
       has_rows(number) && number < static_cast<std::uint64_t>(scenario_.output.trajectories_first);
+  if (stores || number == 0)
+    for (const BlockCorner& corner : block_corners(trial)) out.block_corners.push_back({number, corner});
   RunSettings settings;
   settings.exact_flight = scenario_.solver.flight == FlightMode::exact;
   settings.stop_time = scenario_.stop.time;
@@ -333,6 +336,8 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
     for (auto& of_world : histories)
       for (BodyHistory& history : of_world) history.move(origin);
 
+  for (const BlockRow& block : trial.blocks) out.blocks.push_back({number, block});
+  for (const BlockRegionRow& region : trial.block_regions) out.block_regions.push_back({number, region});
   for (std::size_t i = 0; i < trial.rocks.size(); ++i) {
     TrialRock& rock = trial.rocks[i];
     if (rock.world < 0) {

@@ -13,6 +13,7 @@
 #include "host/share.h"
 #include "plugin/conformance.h"
 #include "results/answer.h"
+#include "results/block_summary.h"
 #include "results/observation.h"
 #include "results/starts.h"
 
@@ -68,6 +69,8 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
   if (const Scenario& first = plan.points.front(); first.observed)
     fmt::print("observed: {}\n",
                measured_text(*first.observed, measured(*first.observed, starts_of(first, tried_trials))));
+  if (const std::string blocks = blocks_of_first_trial(plan.points.front()); !blocks.empty())
+    fmt::print("{}\n", blocks);
   const std::uint64_t trials = plan.points.front().trials;
   const std::string each =
       plan.axes.empty() ? "" : fmt::format(" at each of {} sweep points", plan.points.size());

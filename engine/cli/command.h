@@ -62,6 +62,7 @@ int schema(const Command&, const Arguments&);
 int completion(const Command&, const Arguments&);
 int man(const Command&, const Arguments&);
 int calibrate(const Command&, const Arguments&);
+int joints(const Command&, const Arguments&);
 int sensitivity(const Command&, const Arguments&);
 
 /// A parsed command line: options by name, and the words between them.

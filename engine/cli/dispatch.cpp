@@ -21,7 +21,7 @@ namespace flyrock::cli {
 
 namespace {
 
-constexpr std::array<Command, 22> command_table = {{
+constexpr std::array<Command, 23> command_table = {{
     {"run", "run SCENARIO [options]", "runs a scenario and writes its tables and report", run},
     {"merge", "merge DIR... -o DIR", "puts the shards of a run together", merge},
     {"submit", "submit SCENARIO --slurm -n N [-j CORES] [-o DIR]",
@@ -32,9 +32,11 @@ constexpr std::array<Command, 22> command_table = {{
      "builds report.html of a result folder again, beside another run or as a PDF", report},
     {"calibrate", "calibrate SCENARIO --vary PATH=LOW:HIGH [options]",
      "fits numbers of a scenario to what was measured (`observed`)", calibrate},
+    {"joints", "joints SURVEY.csv [--face DIP/DIRECTION --friction ANGLE] [options]",
+     "finds the sets of a survey of joints, and which planes could let a face fail", joints},
     {"sensitivity", "sensitivity SCENARIO [--of MEASURE] [--inputs STREAM,...] [options]",
      "says which inputs explain the variance of a number (Sobol indices)", sensitivity},
-    {"export", "export DIR --to csv|vtk|geojson|gpkg|asc|tif [-o PATH]",
+    {"export", "export DIR --to csv|vtk|obj|geojson|gpkg|asc|tif [-o PATH]",
      "writes a result as CSV tables, for ParaView, or as layers and maps for a GIS", export_result},
     {"animate", "animate DIR [-o FILE.svg|.mp4|.gif|.png] [--at TIME]",
      "draws the motion of the stored rocks as an animated picture, a film, or frame by frame", animate},

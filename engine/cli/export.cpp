@@ -13,6 +13,7 @@
 #include "report/export_asc.h"
 #include "report/export_csv.h"
 #include "report/export_geojson.h"
+#include "report/export_obj.h"
 #include "report/export_vtk.h"
 #include "report/stored_scene.h"
 
@@ -89,11 +90,12 @@ constexpr const char* no_maps =
 
 constexpr const char* no_plan = "this result has no places in plan (only runs in 3D do)";
 
-constexpr std::array<Format, 6> formats = {{
+constexpr std::array<Format, 7> formats = {{
     {"asc", export_asc, no_maps},
     {"csv", export_csv, ""},
     {"geojson", export_geojson, no_plan},
     {"gpkg", export_gpkg, no_plan, "ogr2ogr", "geojson", "the same layers"},
+    {"obj", export_obj, "this result has no blocks between joints"},
     {"tif", export_tif, no_maps, "gdal_translate", "asc", "the same maps"},
     {"vtk", export_vtk, "no trajectory is stored; output.trajectories of the scenario says how many are"},
 }};
@@ -117,8 +119,9 @@ const Format& format_of(const std::string& name) {
 int export_result(const Command& command, const Arguments& arguments) {
   po::options_description options("options");
   options.add_options()(
-      "to", po::value<std::string>()->value_name("csv|vtk|geojson|gpkg|asc|tif"),
-      "csv (every table), vtk (trajectories, for ParaView); for a GIS: geojson or gpkg (paths, "
+      "to", po::value<std::string>()->value_name("csv|vtk|obj|geojson|gpkg|asc|tif"),
+      "csv (every table), vtk (trajectories, for ParaView), obj (blocks between joints); for a GIS: geojson "
+      "or gpkg (paths, "
       "ends, gates, barriers, trees, zones, area), asc or tif (maps); gpkg and tif need GDAL; "
       "required")("output,o", po::value<std::string>()->value_name("FILE|DIR"),
                   "folder of the files; default DIR/<format>")(

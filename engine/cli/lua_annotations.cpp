@@ -107,6 +107,10 @@ function terrain:normal(x, y) end
 ---@field below? number|string
 ---@field usual? number[]
 ---@field choices? string[]
+---@field fields? table<string, flyrock.Parameter> of `records`
+---@field words? string[] of `records`: in place of them
+---@field single? boolean of `records`: one map
+---@field file? boolean of `records`: or the name of a file
 
 ---@class flyrock.module
 local fr = {}
@@ -156,6 +160,10 @@ std::string type_of(const ParamSpec& spec) {
       return "flyrock.Number[][]";
     case ParamType::shapes:
       return "flyrock.shape[]";
+    case ParamType::records:
+      return "table|table[]|string";
+    case ParamType::law:
+      return "number|string|table";
   }
   return "any";
 }

@@ -77,6 +77,19 @@ std::string wrapped(const std::string& text, const std::string& indent) {
   return lines + line + '\n';
 }
 
+/// All parameters, with the fields of records as `sets[].dip` behind them.
+std::vector<ParamSpec> with_fields(const std::vector<ParamSpec>& params) {
+  std::vector<ParamSpec> all;
+  for (const ParamSpec& param : params) {
+    all.push_back(param);
+    for (ParamSpec field : param.fields) {
+      field.name = fmt::format("{}{}.{}", param.name, param.single ? "" : "[]", field.name);
+      all.push_back(std::move(field));
+    }
+  }
+  return all;
+}
+
 /// Escapes a text for a cell of a Markdown table.
 std::string cell(const std::string& text) {
   std::string escaped;
@@ -138,7 +151,7 @@ std::string full_text(const PluginSpec& spec) {
   if (!spec.history.empty()) text += fmt::format("  remembers: {}\n", memory_text(spec));
   text += fmt::format("  file: {}{}\n", spec.file, spec.native.empty() ? "" : " (native)");
   if (spec.params.empty()) text += "  no parameters\n";
-  for (const ParamSpec& param : spec.params) {
+  for (const ParamSpec& param : with_fields(spec.params)) {
     text += fmt::format(
         "\n  {}: {}{}, {}\n", param.name, name_of(param.type),
         param.unit.empty() ? "" : fmt::format(" [{}]", param.unit_text()),
@@ -162,7 +175,7 @@ std::string markdown(const PluginSpec& spec) {
   if (!spec.history.empty()) text += fmt::format("\nRemembers: {}\n", memory_text(spec));
   if (spec.params.empty()) return text + "\nNo parameters.\n";
   text += "\n| parameter | type | unit | default | allowed | |\n|---|---|---|---|---|---|\n";
-  for (const ParamSpec& param : spec.params)
+  for (const ParamSpec& param : with_fields(spec.params))
     text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", param.name, name_of(param.type),
                         cell(param.unit_text()), cell(default_text(param)), cell(allowed_text(param)),
                         cell(param.doc));
@@ -171,7 +184,7 @@ std::string markdown(const PluginSpec& spec) {
 
 Json json_of(const PluginSpec& spec) {
   Json params = Json::array();
-  for (const ParamSpec& param : spec.params) {
+  for (const ParamSpec& param : with_fields(spec.params)) {
     Json entry = {{"name", param.name},           {"type", name_of(param.type)},
                   {"unit", param.unit_text()},    {"default", default_json(param)},
                   {"required", param.required()}, {"doc", param.doc}};

@@ -210,6 +210,20 @@ Json SchemaValues::points(const ParamSpec& spec, int coordinates, const ValuePla
   return {{"type", "array"}, {"items", tuple(number_schema, static_cast<std::size_t>(coordinates))}};
 }
 
+Json SchemaValues::records(const ParamSpec& spec, const ValuePlace& place) {
+  Json fields = Json::object(), required = Json::array();
+  for (const ParamSpec& field : spec.fields) {
+    fields[field.name] = parameter(field, place);
+    if (field.required()) required.push_back(field.name);
+  }
+  const Json record = define(spec.name + " record", object(std::move(fields), std::move(required)));
+  Json forms = Json::array({some(record)});
+  if (spec.single) forms.push_back(record);
+  if (!spec.choices.empty()) forms.push_back({{"enum", spec.choices}});
+  if (spec.from_file) forms.push_back(some_text());
+  return {{"anyOf", std::move(forms)}};
+}
+
 Json SchemaValues::value(const ParamSpec& spec, const ValuePlace& place) {
   ParamSpec component = spec;
   component.type = ParamType::number;
@@ -236,6 +250,10 @@ Json SchemaValues::value(const ParamSpec& spec, const ValuePlace& place) {
       return points(spec, 2, place);
     case ParamType::shapes:
       return reference(fmt::format("parts_{}D", place.dimension));
+    case ParamType::records:
+      return records(spec, place);
+    case ParamType::law:
+      return {{"anyOf", {constant(component), distribution(component, place)}}};
   }
   return {};
 }

@@ -42,6 +42,7 @@ class SchemaValues {
   Json number(const ParamSpec& spec, const ValuePlace& place);
   Json constant(const ParamSpec& spec);
   Json distribution(const ParamSpec& spec, const ValuePlace& place);
+  Json records(const ParamSpec& spec, const ValuePlace& place);
   Json points(const ParamSpec& spec, int coordinates, const ValuePlace& place);
 
   Json definitions_ = Json::object();

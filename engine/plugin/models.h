@@ -14,6 +14,7 @@
 #include "geometry/pneumatic.h"
 #include "geometry/profile.h"
 #include "geometry/terrain_shape.h"
+#include "plugin/block_plan.h"
 #include "plugin/params.h"
 #include "plugin/terrain_view.h"
 #include "random/stream.h"
@@ -100,6 +101,7 @@ struct RockPlan {
   std::optional<Vec<D>> velocity;               ///< m/s; takes the place of the group's launch
   std::optional<typename Space<D>::Spin> spin;  ///< rad/s, world frame
   std::optional<double> weight;                 ///< real rocks that it stands for, above 0
+  std::shared_ptr<const BlockPlan<D>> block;    ///< of a block that joints have cut; null for others
 };
 
 /// `population`: the rocks of a group in one trial, in the dimensions that the model supports. Throws

@@ -18,7 +18,7 @@ struct ModuleTag {
   char version[16];
   bool operator==(const ModuleTag&) const = default;
 };
-inline constexpr int module_abi = 10;
+inline constexpr int module_abi = 11;
 constexpr ModuleTag module_tag() {
   return {{'f', 'l', 'y', 'r', 'o', 'c', 'k', 0},
           module_abi,

@@ -60,7 +60,7 @@ double Params::constant(std::string_view name) {
 }
 
 std::string Params::text(std::string_view name) {
-  return values_[at(name, {ParamType::choice, ParamType::text, ParamType::file})].text;
+  return values_[at(name, {ParamType::choice, ParamType::text, ParamType::file, ParamType::records})].text;
 }
 
 const std::vector<std::vector<double>>& Params::points(std::string_view name) {
@@ -72,6 +72,21 @@ const std::vector<ShapePart>& Params::shapes(std::string_view name, int& first_s
   const int i = at(name, {ParamType::shapes});
   first_slot = slots_[i];
   return values_[i].parts ? *values_[i].parts : none;
+}
+
+std::vector<ParamRecord> Params::records(std::string_view name) {
+  const int i = at(name, {ParamType::records});
+  std::vector<ParamRecord> list;
+  int slot = slots_[i];
+  for (const std::vector<ParamValue>& record : values_[i].records) {
+    list.emplace_back(spec_.params[i].fields, record, slot);
+    for (const ParamValue& value : record) slot += static_cast<int>(value.numbers.size());
+  }
+  return list;
+}
+
+std::shared_ptr<const Distribution> Params::law(std::string_view name) {
+  return values_[at(name, {ParamType::law})].law;
 }
 
 std::vector<Vec2> Params::points2(std::string_view name) {
@@ -91,6 +106,48 @@ std::vector<std::string> Params::unread() const {
   for (std::size_t i = 0; i < read_.size(); ++i)
     if (!read_[i]) names.push_back(spec_.params[i].name);
   return names;
+}
+
+ParamRecord::ParamRecord(const std::vector<ParamSpec>& fields, const std::vector<ParamValue>& values,
+                         int first_slot)
+    : fields_(fields), values_(values), first_slot_(first_slot) {}
+
+std::size_t ParamRecord::at(std::string_view field, std::initializer_list<ParamType> types) const {
+  const auto found =
+      std::find_if(fields_.begin(), fields_.end(), [&](const ParamSpec& spec) { return spec.name == field; });
+  if (found == fields_.end() || std::find(types.begin(), types.end(), found->type) == types.end())
+    throw PluginError(
+        fmt::format("reads the field `{}` of a record as a {}, which its manifest does not "
+                    "declare",
+                    field, name_of(*types.begin())));
+  return static_cast<std::size_t>(found - fields_.begin());
+}
+
+bool ParamRecord::given(std::string_view field) const {
+  for (std::size_t i = 0; i < fields_.size(); ++i)
+    if (fields_[i].name == field) return values_[i].given;
+  return false;
+}
+
+int ParamRecord::slot(std::string_view field) const {
+  const std::size_t i =
+      at(field, {ParamType::number, ParamType::integer, ParamType::boolean, ParamType::vector});
+  if (values_[i].numbers.empty()) return -1;
+  int slot = first_slot_;
+  for (std::size_t before = 0; before < i; ++before) slot += static_cast<int>(values_[before].numbers.size());
+  return slot;
+}
+
+const std::string& ParamRecord::text(std::string_view field) const {
+  return values_[at(field, {ParamType::choice, ParamType::text, ParamType::file})].text;
+}
+
+const std::vector<std::vector<double>>& ParamRecord::points(std::string_view field) const {
+  return values_[at(field, {ParamType::points, ParamType::plan_points})].points;
+}
+
+std::shared_ptr<const Distribution> ParamRecord::law(std::string_view field) const {
+  return values_[at(field, {ParamType::law})].law;
 }
 
 bool holds(const FieldRead& read, const PluginSpec& spec, const std::vector<ParamValue>& values) {

@@ -93,7 +93,9 @@ std::string value_text(const ParamSpec& param, const ParamValue& value, Values n
 }  // namespace
 
 bool can_sample(const ParamSpec& spec) {
-  return spec.type != ParamType::text && spec.type != ParamType::file && spec.type != ParamType::shapes &&
+  constexpr ParamType never[] = {ParamType::text, ParamType::file, ParamType::shapes, ParamType::records,
+                                 ParamType::law};
+  return std::find(std::begin(never), std::end(never), spec.type) == std::end(never) &&
          spec.name != allow_gain;  // the engine reads it: an answer within its limits does not depend on it
 }
 
@@ -136,6 +138,8 @@ ParamValue sample_param(const PluginSpec& plugin, std::size_t i, const std::vect
     case ParamType::text:
     case ParamType::file:
     case ParamType::shapes:
+    case ParamType::records:
+    case ParamType::law:
       value = {};
       break;
   }

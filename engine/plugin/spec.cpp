@@ -7,9 +7,9 @@ namespace flyrock {
 namespace {
 constexpr std::array<std::string_view, plugin_kinds> kind_names{
     "shape", "population", "restitution", "friction", "rolling", "unilateral", "velocity", "terrain"};
-constexpr std::array<std::string_view, 11> type_names{"number", "integer", "boolean", "choice",
-                                                      "text",   "vector",  "points",  "plan_points",
-                                                      "file",   "spin",    "shapes"};
+constexpr std::array<std::string_view, 13> type_names{"number", "integer", "boolean",     "choice", "text",
+                                                      "vector", "points",  "plan_points", "file",   "spin",
+                                                      "shapes", "records", "law"};
 constexpr std::array<std::string_view, 4> relation_names{"at least", "above", "at most", "below"};
 constexpr std::array<std::string_view, 4> relation_keys{"min", "above", "max", "below"};
 constexpr std::array<BoundRelation, 4> converses{BoundRelation::at_most, BoundRelation::below,

@@ -29,7 +29,9 @@ enum class ParamType {
   plan_points,  ///< the same with two coordinates in 2D and 3D: places in plan
   file,         ///< a file name relative to the scenario's folder; the host gives its full path
   spin,         ///< about z in 2D: a number; in 3D a vector in the world frame. May be a distribution
-  shapes        ///< a list of shapes, each a plugin with its parameters, its place and its turn
+  shapes,       ///< a list of shapes, each a plugin with its parameters, its place and its turn
+  records,      ///< a list of maps with the same `fields`, or a file with such a list
+  law           ///< a number or a distribution, from which the plugin samples with its own random numbers
 };
 std::string_view name_of(ParamType type);
 std::optional<ParamType> param_type(std::string_view name);
@@ -69,7 +71,10 @@ struct ParamSpec {
   std::optional<double> above, below;  ///< allowed, limits excluded
   std::vector<ParamBound> bounds;      ///< number, integer: limits that are other parameters
   std::optional<UsualRange> usual;     ///< number, integer, vector (of each component), spin
-  std::vector<std::string> choices;    ///< choice: the allowed texts; number: words allowed in its place
+  std::vector<std::string> choices;    ///< choice: the allowed texts; number, records: words in its place
+  std::vector<ParamSpec> fields = {};  ///< records: of each record
+  bool single = false;                 ///< records: one record, written as a map
+  bool from_file = false;              ///< records: may be the name of a YAML file or of a table
 
   bool required() const { return !optional && !default_number && !default_text && !default_vector; }
   /// "ditch" of "ditch.width"; empty for a parameter outside of groups.

@@ -1,6 +1,7 @@
 #include "plugin/terrain_view.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "geometry/ground.h"
 #include "geometry/profile.h"
@@ -39,6 +40,50 @@ std::optional<Vec3> TerrainView::normal(double x, double y) const {
   if (right == points.end()) --right;
   const Vec2 along = (*right - *(right - 1)).normalized();
   return Vec3(-along.y(), along.x(), 0);
+}
+
+namespace {
+
+constexpr std::string_view notch_back = "notch_back", notch_base = "notch_base", notch_end = "notch_end";
+
+/// In 2D the crest that was there lies above the toe as the back lies above its foot at the height of the
+/// toe.
+std::optional<TerrainView::Notch> notch_in(const Profile& profile) {
+  const auto segment_of = [&](std::string_view name) -> std::optional<std::size_t> {
+    for (std::size_t i = 0; i < profile.part.size(); ++i)
+      if (profile.parts[static_cast<std::size_t>(profile.part[i])] == name) return i;
+    return std::nullopt;
+  };
+  const auto back = segment_of(notch_back), base = segment_of(notch_base);
+  if (!back || !base) return std::nullopt;
+  const Vec2 &top = profile.points[*back], &low = profile.points[*back + 1], &toe = profile.points[*base + 1];
+  const Vec2 foot = low + (toe.y() - low.y()) / (top.y() - low.y()) * (top - low);
+  TerrainView::Notch notch;
+  for (const Vec2& corner : {top, low, toe, Vec2(top + toe - foot)})
+    notch.corners.emplace_back(corner.x(), corner.y(), 0);
+  return notch;
+}
+
+std::optional<TerrainView::Notch> notch_in(const Ground3& ground, const Vec3& origin) {
+  const std::vector<std::string>& parts = ground.parts();
+  if (std::find(parts.begin(), parts.end(), notch_back) == parts.end()) return std::nullopt;
+  std::vector<Facet> facets;
+  ground.triangles(ground.extent(), facets);
+  TerrainView::Notch notch;
+  for (const Facet& facet : facets) {
+    const std::string& part = parts[static_cast<std::size_t>(ground.part(facet.id))];
+    if (part != notch_back && part != notch_base && part != notch_end) continue;
+    for (const Vec3& corner : facet.corner) notch.corners.push_back(corner + origin);
+    if (part == notch_back) notch.outward = Vec3(facet.normal.x(), facet.normal.y(), 0).normalized();
+  }
+  if (notch.corners.empty()) return std::nullopt;
+  return notch;
+}
+
+}  // namespace
+
+std::optional<TerrainView::Notch> TerrainView::notch() const {
+  return profile_ ? notch_in(*profile_) : notch_in(*ground_, origin_);
 }
 
 std::vector<TerrainView::Face> TerrainView::faces() const {

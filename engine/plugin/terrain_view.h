@@ -38,6 +38,13 @@ class TerrainView {
   std::optional<Vec3> normal(double x, double y) const;
   /// The bench faces, the uppermost first.
   std::vector<Face> faces() const;
+  /// What a notch takes out of a bench (terrain benches): the prism between the parts notch_back, notch_base
+  /// and, in 3D, notch_end, and the face that was there.
+  struct Notch {
+    std::vector<Vec3> corners;
+    Vec3 outward = Vec3::UnitX();  ///< horizontal, unit, out of the face
+  };
+  std::optional<Notch> notch() const;
   /// The polyline in 2D, otherwise null.
   const Profile* profile() const { return profile_; }
 

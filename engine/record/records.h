@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "record/block_row.h"
 #include "record/envelope.h"
 #include "record/maps.h"
 #include "record/material_use.h"
@@ -87,7 +88,8 @@ struct TreeRecord : OfRock {
   TreeHit hit;
 };
 
-/// A row of a trial: Fixture, FixtureCorner, SeriesBody, SeriesContact or SeriesSolve.
+/// A row of a trial: BlockRow, BlockRegionRow, BlockCorner, Fixture, FixtureCorner, SeriesBody, SeriesContact
+/// or SeriesSolve.
 template <class Row>
 struct TrialRow {
   std::uint64_t trial = 0;
@@ -119,6 +121,9 @@ struct TrialRecords {
   std::vector<GateRecord> gates;
   std::vector<BarrierRecord> barriers;
   std::vector<TreeRecord> trees;
+  std::vector<TrialRow<BlockRow>> blocks;
+  std::vector<TrialRow<BlockRegionRow>> block_regions;
+  std::vector<TrialRow<BlockCorner>> block_corners;
   std::vector<TrialRow<Fixture>> fixtures;
   std::vector<TrialRow<FixtureCorner>> fixture_shapes;
   std::vector<TrialRow<SeriesBody>> series_bodies;

@@ -249,6 +249,49 @@ void visit_shapes(Visit&& visit) {
 // The following rows belong to a trial, which is stored separately.
 
 template <class Visit>
+void visit_blocks(Visit&& visit) {
+  using B = BlockRow;
+  const auto of_row = within(visit, &TrialRow<B>::row);
+  of_row(Column{.name = "block"}, &B::block);
+  of_row(Column{.name = "rock"}, &B::rock);
+  visit_vector(of_row, {"x_m", "y_m", "z_m"}, "m", &B::centre);
+  of_row(Column{.name = "volume_m3", .unit = "m3"}, &B::volume);
+  of_row(Column{.name = "faces"}, &B::faces);
+  of_row(Column{.name = "free_area_m2", .unit = "m2"}, &B::free_area);
+  of_row(Column{.name = "joint_area_m2", .unit = "m2"}, &B::joint_area);
+  of_row(Column{.name = "removable"}, &B::removable);
+  of_row(Column{.name = "mode"}, &B::mode);
+  of_row(Column{.name = "joints"}, &B::joints);
+  of_row(Column{.name = "trend_deg", .unit = "deg", .in_degrees = true}, &B::trend);
+  of_row(Column{.name = "plunge_deg", .unit = "deg", .in_degrees = true}, &B::plunge);
+  of_row(Column{.name = "factor"}, &B::factor);
+  of_row(Column{.name = "reason"}, &B::reason);
+}
+
+template <class Visit>
+void visit_block_regions(Visit&& visit) {
+  using R = BlockRegionRow;
+  const auto of_row = within(visit, &TrialRow<R>::row);
+  of_row(Column{.name = "volume_m3", .unit = "m3"}, &R::volume);
+  of_row(Column{.name = "blocks"}, &R::blocks);
+  of_row(Column{.name = "left_out"}, &R::left_out);
+  of_row(Column{.name = "left_out_volume_m3", .unit = "m3"}, &R::left_out_volume);
+  of_row(Column{.name = "joints"}, &R::joints);
+  of_row(Column{.name = "joint_area_m2", .unit = "m2"}, &R::joint_area);
+  of_row(Column{.name = "joint_count_per_m", .unit = "1/m"}, &R::joint_count);
+}
+
+template <class Visit>
+void visit_block_corners(Visit&& visit) {
+  using C = BlockCorner;
+  const auto of_row = within(visit, &TrialRow<C>::row);
+  of_row(Column{.name = "block"}, &C::block);
+  of_row(Column{.name = "face"}, &C::face);
+  of_row(Column{.name = "vertex"}, &C::vertex);
+  visit_vector(of_row, {"x_m", "y_m", "z_m"}, "m", &C::place);
+}
+
+template <class Visit>
 void visit_fixtures(Visit&& visit) {
   using F = Fixture;
   const auto of_row = within(visit, &TrialRow<F>::row);
@@ -372,6 +415,11 @@ void visit_tables(Records& records, See&& see) {
   see(Table{"trajectories", Part::whole, rock, "trajectory"}, records.trajectories,
       [](auto&& visit) { visit_trajectories(visit); });
   see(Table{"shapes", Part::whole, rock, "shape"}, records.shapes, [](auto&& visit) { visit_shapes(visit); });
+  see(Table{"blocks", Part::brief, trial}, records.blocks, [](auto&& visit) { visit_blocks(visit); });
+  see(Table{"block_regions", Part::brief, trial}, records.block_regions,
+      [](auto&& visit) { visit_block_regions(visit); });
+  see(Table{"block_corners", Part::whole, trial}, records.block_corners,
+      [](auto&& visit) { visit_block_corners(visit); });
   see(Table{"fixtures", Part::whole, trial}, records.fixtures, [](auto&& visit) { visit_fixtures(visit); });
   see(Table{"fixture_shapes", Part::whole, trial}, records.fixture_shapes,
       [](auto&& visit) { visit_fixture_shapes(visit); });

@@ -8,15 +8,12 @@
 
 #include "report/html.h"
 #include "report/line_plot.h"
+#include "report/plain_page.h"
 #include "results/wording.h"
 
 namespace flyrock {
 
 namespace {
-
-std::string paragraph(const char* style, const std::string& text) {
-  return fmt::format("<p class=\"{}\">{}</p>\n", style, escaped(text));
-}
 
 std::string axis_label(const VariedNumber& varied) {
   return varied.unit.empty() ? varied.path : fmt::format("{} in {}", varied.path, varied.unit);
@@ -219,19 +216,10 @@ std::string correlation_table(const FittedModel& model) {
   return table + "</table>\n";
 }
 
-constexpr const char* style =
-    "body{max-width:1000px;margin:0 auto;padding:24px;font:16px/1.5 system-ui,\"DejaVu Sans\",sans-serif;"
-    "color:#1a1d21}h1{font-size:26px}h2{font-size:20px;border-top:1px solid #d5dae0;padding-top:12px}"
-    ".note{color:#5a6370;font-size:14px}table{border-collapse:collapse;margin:8px 0}td,th{border:1px solid "
-    "#d5dae0;padding:2px 10px;text-align:left;overflow-wrap:anywhere}svg{max-width:100%;height:auto}";
-
 }  // namespace
 
 std::string calibration_page(const FittedModel& model) {
-  std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Calibration of "
-      "{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>Calibration of {0}</h1>\n",
-      escaped(model.scenario), style);
+  std::string page;
   for (const std::string& sentence : calibration_sentences(model)) page += paragraph("answer", sentence);
   page += "<h2>Misfit and region</h2>\n" + misfit_pictures(model);
   page += paragraph(
@@ -254,7 +242,7 @@ std::string calibration_page(const FittedModel& model) {
                                 "numbers, calibration.json the numbers of this page.",
                                 FLYROCK_ENGINE_VERSION, model.trials, model.calibration.evaluations.size(),
                                 model.seed, model.scenario_hash));
-  return page + "</body>\n</html>\n";
+  return plain_page("Calibration of " + model.scenario, page);
 }
 
 }  // namespace flyrock

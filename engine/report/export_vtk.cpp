@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "batch/safe_file.h"
+#include "report/export_obj.h"
 #include "report/sqlite.h"
 #include "report/stored_contacts.h"
 #include "report/stored_paths.h"
@@ -151,6 +152,10 @@ std::vector<fs::path> export_vtk(const fs::path& results, const fs::path& folder
     write_series(files.back(), paths, crs);
     files.push_back(folder / fmt::format("shapes-p{}.pvd", point));
     write_shapes(files.back(), database, paths);
+    if (const VtkPoints blocks = stored_blocks(database, point); !blocks.polygon_ends.empty()) {
+      files.push_back(folder / fmt::format("blocks-p{}.vtp", point));
+      write_vtp(files.back(), blocks, crs);
+    }
     if (const auto contacts = stored_contacts(database, point, 0); !contacts.empty()) {
       files.push_back(folder / fmt::format("contacts-p{}.pvd", point));
       write_contacts(files.back(), end_of(paths), contacts, crs);

@@ -17,6 +17,8 @@ namespace flyrock {
 ///                               rocks-p<point>/<step>.vtp per step; a rock that has ended stays
 ///   shapes-p<point>.pvd         the surfaces of the rocks in their orientations over time (vtk_shapes.h),
 ///                               one file shapes-p<point>/<step>.vtp per step
+///   blocks-p<point>.vtp         the blocks between joints of trial 0 at the start, if there are any
+///                               (stored_blocks)
 ///   contacts-p<point>.pvd       if the first trial has a series: the contacts that carry a force, as
 ///                               points with the vector force_N on the first body of the pair (in 3D
 ///                               without its tangential part), in the step that contains the time

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "math/sphere.h"
+#include "report/block_picture.h"
 #include "report/convergence.h"
 #include "report/envelope_data.h"
 #include "report/ground_data.h"
@@ -304,6 +305,7 @@ Json ReportData::finish(const Results& results, const GroundPictures& grounds) {
                     envelope_data(point), "map", map_data(point.maps, map_room), "sensitivity",
                     std::move(closed_[p].sensitivity), "shrouds", shroud_data(point.reaches), "laws",
                     std::move(laws), "bodies", bodies_data(plan.points[p], point.totals)));
+    if (point.blocks) points.back()["blocks_svg"] = blocks_svg(point.blocks->first, plan.points[p].dimension);
     if (point.forest) points.back()["stems"] = stems_data(point, most_stems / closed_.size());
   }
   return json_object("summary", summary_data(plan, results), "alarms", alarms(results.points), "source",

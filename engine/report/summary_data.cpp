@@ -300,6 +300,30 @@ Json trees_data(const TreeSummary& trees) {
           {"lower_bounds", trees.stopped_share.censored}};
 }
 
+/// The blocks between joints: { trials, all, removable, ...: { count, count_interval, volume_m3,
+/// volume_m3_interval }, ..., sizes: [[m3, share of the blocks, share of the volume], ...] }.
+Json blocks_data(const BlockSummary& blocks) {
+  Json data = {{"trials", blocks.trials}};
+  for (std::size_t part = 0; part < block_part_names.size(); ++part)
+    data[std::string(block_part_names[part])] = {
+        {"count", number(blocks.count[part].mean)},
+        {"count_interval", interval_data(blocks.count[part].interval)},
+        {"volume_m3", number(blocks.volume[part].mean)},
+        {"volume_m3_interval", interval_data(blocks.volume[part].interval)}};
+  data.update(Json{{"region_m3", number(blocks.region_volume)},
+                   {"joints", number(blocks.joints)},
+                   {"joint_area_m2_per_m3", number(blocks.joint_area)},
+                   {"joint_count_per_m", number(blocks.joint_count)},
+                   {"mean_m3", number(blocks.mean_volume)},
+                   {"mean_by_volume_m3", number(blocks.weighted_volume)},
+                   {"left_out", number(blocks.left_out)},
+                   {"left_out_m3", number(blocks.left_out_volume)}});
+  Json sizes = Json::array();
+  for (const BlockSize& size : blocks.sizes) sizes.push_back({size.volume, size.of_blocks, size.of_volume});
+  data["sizes"] = sizes;
+  return data;
+}
+
 /// The area about (x, y), from a hull: { x, y, hull: [[x, y], ...], beyond, effective, sectors: [{
 /// azimuth_deg, bearing_deg, count, share, share_interval, greatest, distance, lower_bound, with_factor }] }.
 /// `beyond` is null where there is no area.
@@ -571,6 +595,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
                       {"solver", quality_data(point.totals.quality)},
                       {"materials", materials_data(plan.points[p], point.totals.materials)}});
     if (point.trees) points.back()["trees"] = trees_data(*point.trees);
+    if (point.blocks) points.back()["blocks"] = blocks_data(*point.blocks);
     if (const OutputPlan& output = plan.points[p].output; !output.rocks) {
       const std::uint64_t all = point.groups.front().count;
       points.back()["rows"] =

@@ -16,6 +16,7 @@ void MeasureTally::add(const TrialRecords& chunk) {
   rocks_.add(chunk);
   crossings_.add(chunk);
   if (trees_ && first_pass_) trees_->add(chunk);
+  if (first_pass_) blocks_.add(chunk);
   clearances_.add(chunk);
   exposures_.add(chunk);
 }
@@ -43,6 +44,7 @@ void MeasureTally::put(PointResult& result, std::uint64_t trials) {
   result.groups = rocks_.summaries();
   result.crossings = crossings_.summaries();
   if (trees_) result.trees = trees_->summary();
+  if (!blocks_.empty()) result.blocks = blocks_.summary();
   result.clearances = clearances_.summaries();
   result.exposures = exposures_.summaries(trials);
 }

@@ -27,6 +27,7 @@ class MeasureTally {
   RockTally rocks_;
   CrossingTallies crossings_;
   std::optional<TreeTally> trees_;
+  BlockTally blocks_;
   ClearanceTally clearances_;
   ExposureTally exposures_;
   bool first_pass_ = true, seeks_distances_ = true;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "batch/terrain_picture.h"
+#include "results/block_summary.h"
 #include "results/censored.h"
 #include "results/clearance.h"
 #include "results/contact_measure.h"
@@ -38,6 +39,7 @@ struct PointResult {
   std::vector<GroupSummary> groups;        ///< all rocks first, then the groups; see RockTally
   std::vector<CrossingSummary> crossings;  ///< in the order of `groups`
   std::optional<TreeSummary> trees;        ///< with a forest
+  std::optional<BlockSummary> blocks;      ///< of rock that joints have cut
   std::shared_ptr<const Forest> forest;    ///< its stems, counted from the origin; null: none
   std::vector<ClearanceSummary> clearances;
   std::vector<ExposureSummary> exposures;

@@ -31,6 +31,12 @@ std::vector<double> point_of(const Value& value) {
   return point;
 }
 
+/// A law of the tree; a number is the distribution of this one value.
+Distribution law_of(const Value& value) {
+  if (value.map()) return read_distribution(value);
+  return {.kind = DistributionKind::discrete, .values = {si_of(value)}};
+}
+
 /// The value of one parameter that the tree has. One that is wrong has no numbers.
 ParamValue decode_param(DecodeContext& context, const Node& node, const ParamSpec& spec) {
   ParamValue value;
@@ -66,6 +72,17 @@ ParamValue decode_param(DecodeContext& context, const Node& node, const ParamSpe
       break;
     case ParamType::shapes:
       return decode_shapes(context, node);
+    case ParamType::records:
+      if (text) value.text = *text;
+      for (const Node& item : node.value->list() ? node.items() : std::vector<Node>()) {
+        value.records.push_back(decode_params(context, item, spec.fields));
+        for (const ParamValue& field : value.records.back())
+          value.numbers.insert(value.numbers.end(), field.numbers.begin(), field.numbers.end());
+      }
+      break;
+    case ParamType::law:
+      value.law = std::make_shared<const Distribution>(law_of(*node.value));
+      break;
   }
   return value;
 }

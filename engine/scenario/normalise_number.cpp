@@ -246,6 +246,22 @@ double si_of(const Value& normalised) {
   return text ? parse_quantity(*text).value_or(Quantity{}).si() : 0;
 }
 
+namespace {
+
+/// "a list of maps { dip, spacing, ... }, or a file"
+std::string records_text(const ParamSpec& spec) {
+  std::vector<std::string> fields;
+  for (const ParamSpec& field : spec.fields)
+    if (field.required() || spec.fields.size() <= 3) fields.push_back(field.name);
+  if (fields.size() < spec.fields.size()) fields.emplace_back("...");
+  std::string text =
+      fmt::format("{} {{ {} }}", spec.single ? "a map" : "a list of maps", fmt::join(fields, ", "));
+  if (spec.from_file) text += ", or a file";
+  return spec.choices.empty() ? text : choice_text(spec.choices) + " or " + text;
+}
+
+}  // namespace
+
 std::string expected_text(const ParamSpec& spec) {
   switch (spec.type) {
     case ParamType::number: {
@@ -273,6 +289,11 @@ std::string expected_text(const ParamSpec& spec) {
       return "a spin in rad/s: a number in 2D, three in 3D";
     case ParamType::shapes:
       return "a list of shapes { type, ..., at, turn }";
+    case ParamType::records:
+      return records_text(spec);
+    case ParamType::law:
+      return (spec.dimension == dimension::none ? "a number" : "a number in " + unit_of(spec)) +
+             " or a distribution";
   }
   return {};
 }

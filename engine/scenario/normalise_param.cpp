@@ -8,6 +8,7 @@
 #include "geometry/contactor.h"
 #include "geometry/plan_line.h"
 #include "geometry/plan_zone.h"
+#include "scenario/normalise_records.h"
 #include "scenario/normalise_shapes.h"
 
 namespace flyrock {
@@ -199,6 +200,10 @@ Value normalise_param(DecodeContext& context, const Node& node, const ParamSpec&
       return normalise_points(context, node, spec);
     case ParamType::shapes:
       return normalise_shapes(context, node, rules);
+    case ParamType::records:
+      return normalise_records(context, node, spec, rules);
+    case ParamType::law:
+      return normalise_law(context, node, spec);
   }
   return {};
 }

@@ -6,6 +6,7 @@
 
 #include "flight/ground.h"
 #include "trial/blast_at.h"
+#include "trial/block_rows.h"
 #include "trial/branch_of.h"
 #include "trial/dimensions.h"
 #include "trial/repeat.h"
@@ -133,6 +134,9 @@ void TrialBuilder<D>::build(std::uint64_t number_of_trial, Trial<D>& trial) {
   if (!trial.starts.empty() && terrain == trial.terrain) return begin_again(trial, number_of_trial);
   trial.worlds.clear();
   trial.rocks.clear();
+  trial.blocks.clear();
+  trial.block_bodies.clear();
+  trial.block_regions.clear();
   trial.starts.clear();
   // Points that are alone on the same ground use the laws of the trial before.
   const bool alone = scenario_.bodies.empty() && !scenario_.rock_contacts;
@@ -212,6 +216,49 @@ void TrialBuilder<D>::add_apart(World<D>& world, const RockPlan<D>& plan, TrialR
   }
 }
 
+/// The blocks of a group are one rock that joints have cut. They carry each other.
+template <int D>
+void TrialBuilder<D>::begin_blocks(Trial<D>& trial, int group, const std::vector<RockPlan<D>>& plans) const {
+  if (plans.empty() || !plans.front().block) return;
+  const RockGroup& own = scenario_.rocks[static_cast<std::size_t>(group)];
+  if (!scenario_.rock_contacts)
+    throw ScenarioError(
+        "rock_contacts",
+        fmt::format("is off, and the blocks of `{}` carry each other, expected `on`", own.name));
+  trial.block_regions.push_back(region_row(*plans.front().block->region, static_cast<int>(plans.size())));
+}
+
+/// A block between joints, and its row. It starts beside its neighbours, which are looked at when all stand.
+template <int D>
+void TrialBuilder<D>::add_block(Trial<D>& trial, const RockPlan<D>& plan, const Partner& partner,
+                                TrialRock& rock, RandomStream& where) {
+  World<D>& world = trial.worlds.front();
+  Body<D> body = rock_body(plan, rock, world.terrain(), where);
+  const int material = at_path("pairs", [&] { return material_between(scenario_, partner, partner); });
+  BlockRow row =
+      block_row(*plan.block, body, -world.gravity()[D - 1], joint_strength(scenario_, material, rock.key));
+  row.block = static_cast<int>(trial.blocks.size());
+  row.centre.template head<D>() = *plan.position;
+  if (moves(*plan.block, row))
+    row.rock = static_cast<int>(trial.rocks.size()) - 1;
+  else
+    body.kind = BodyKind::fixed;
+  trial.blocks.push_back(std::move(row));
+  rock.body = world.add(std::move(body));
+  trial.block_bodies.push_back(rock.body);
+}
+
+/// Blocks start closed: none lies in the ground or in another rock.
+template <int D>
+void TrialBuilder<D>::check_blocks(Trial<D>& trial) const {
+  const auto fault = start_fault(trial.worlds.front(), origin());
+  if (!fault) return;
+  const std::string& name = trial.worlds.front().bodies[static_cast<std::size_t>(fault->body)].group;
+  const auto group = std::find_if(scenario_.rocks.begin(), scenario_.rocks.end(),
+                                  [&](const RockGroup& one) { return one.name == name; });
+  throw ScenarioError(group->population.path, fault->text);
+}
+
 /// What the table or the population of a group says of its rocks; of rocks of each hole their number only.
 template <int D>
 std::vector<RockPlan<D>> TrialBuilder<D>::plans_of(int g, const TerrainView& ground, const DrawKey& of_trial,
@@ -258,6 +305,7 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
     RandomStream rng(scenario_.streams, streams_[g].population, of_trial);
     const auto plans = builder_of(of_blast).plans_of(g, ground, of_trial, rng);
     check_weights(g, plans);
+    begin_blocks(trial, g, plans);
     for (std::size_t i = 0; i < plans.size(); ++i) {
       const RockPlan<D>& plan = plans[i];
       TrialRock& rock = trial.rocks.emplace_back();
@@ -277,7 +325,10 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
       try {
         RandomStream where(scenario_.streams, streams_[g].release, rock.key);
         Partner partner = by.partner_of(plan, rock);
-        if (scenario_.rock_contacts) {
+        if (plan.block) {
+          by.add_block(trial, plan, partner, rock, where);
+          partners.push_back(std::move(partner));
+        } else if (scenario_.rock_contacts) {
           by.add_apart(trial.worlds.front(), plan, rock, where);
           partners.push_back(std::move(partner));
         } else {
@@ -287,6 +338,7 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
                 "the `material` of the rocks of `{}` counts only with `rock_contacts: true`", group.name);
         }
         rock.world = static_cast<int>(trial.worlds.size()) - 1;
+        if (plan.block && trial.blocks.back().rock < 0) trial.rocks.pop_back();
       } catch (const ScenarioError& error) {
         rock.fault = error.what();
         rock.fault_path = error.path;
@@ -302,6 +354,7 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
     shorten(trial.laws, trial.worlds.size());
     return;
   }
+  if (!trial.blocks.empty()) check_blocks(trial);
   if (partners.empty())
     trial.worlds.clear();
   else

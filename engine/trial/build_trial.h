@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plugin/models.h"
+#include "record/block_row.h"
 #include "trial/instances.h"
 #include "trial/outcomes.h"
 #include "trial/place_rock.h"
@@ -51,6 +52,9 @@ struct Trial {
   std::shared_ptr<const typename Geometry<D>::Terrain> terrain;
   std::vector<World<D>> worlds;  ///< one for each rock, or one for all if rocks meet each other
   std::vector<TrialRock> rocks;
+  std::vector<BlockRow> blocks;               ///< of all groups that joints have cut
+  std::vector<int> block_bodies;              ///< of each block, in worlds.front()
+  std::vector<BlockRegionRow> block_regions;  ///< one for each such group
   std::deque<WorldLaws> laws;  ///< one for each world; none for `ballistic`, which has no contacts
   /// Where the rock of each world starts, if all trials have the same rocks, apart from their orientation;
   /// otherwise empty.
@@ -122,6 +126,10 @@ class TrialBuilder {
   void build_bodies(Trial<D>& trial, std::uint64_t number);
   void build_alone(Trial<D>& trial, const RockPlan<D>& plan, Partner partner, TrialRock& rock,
                    RandomStream& where);
+  void add_block(Trial<D>& trial, const RockPlan<D>& plan, const Partner& partner, TrialRock& rock,
+                 RandomStream& where);
+  void begin_blocks(Trial<D>& trial, int group, const std::vector<RockPlan<D>>& plans) const;
+  void check_blocks(Trial<D>& trial) const;
   void add_apart(World<D>& world, const RockPlan<D>& plan, TrialRock& rock, RandomStream& where);
   Body<D> rock_body(const RockPlan<D>& plan, TrialRock& rock, const Terrain& terrain, RandomStream& where);
   void turn_rock(const RockPlan<D>& plan, TrialRock& rock, Body<D>& body);

@@ -50,8 +50,8 @@ PairLaws* WorldLaws::make(int material, const DrawKey& key) {
 }
 
 /// `pairs` decides. Without an entry, two bodies that show the same material use it.
-int WorldLaws::material_between(const Partner& a, const Partner& b) const {
-  for (const PairPlan& pair : scenario_.pairs)
+int material_between(const Scenario& scenario, const Partner& a, const Partner& b) {
+  for (const PairPlan& pair : scenario.pairs)
     if ((pair.a == a.name && pair.b == b.name) || (pair.a == b.name && pair.b == a.name))
       return pair.material;
   if (a.material >= 0 && a.material == b.material) return a.material;
@@ -108,10 +108,10 @@ void WorldLaws::connect(World<D>& world) {
         world.set_terrain_laws(i, static_cast<int>(part), make(material, partner.key));
     for (int j = i + 1; j < bodies && world.settings().body_contacts; ++j)
       if (world.bodies[i].moves() || world.bodies[j].moves())
-        material_between(partner, partners_[j]);  // throws if there is none
+        flyrock::material_between(scenario_, partner, partners_[j]);  // throws if there is none
   }
   world.laws_between = [this](int rock, int other) {
-    PairLaws* laws = make(material_between(partners_[rock], partners_[other]), partners_[rock].key);
+    PairLaws* laws = make(material_between(rock, other), partners_[rock].key);
     laws->key = partners_[std::min(rock, other)].key;
     laws->key_of_second = partners_[std::max(rock, other)].key;
     return laws;

@@ -18,6 +18,10 @@ struct Partner {
   DrawKey key;        ///< of its draws
 };
 
+/// The index of the material between two partners: that of their entry in `pairs`, or the one that both
+/// have. Throws StartError if there is none.
+int material_between(const Scenario& scenario, const Partner& a, const Partner& b);
+
 /// One PairLaws for each body and part of the terrain, and one for each pair of bodies. Each has its own
 /// draws and its own memory; only the laws themselves are shared. That of a pair of bodies is made when they
 /// first come near each other, because few pairs of many rocks ever meet. Draws of a pair belong to its rock
@@ -44,7 +48,9 @@ class WorldLaws {
   void begin_rock(const DrawKey& key);  ///< as serve(), of a rock that meets the same materials
 
   /// The index of the material between two bodies of the world. Throws PluginError if none is given.
-  int material_between(int a, int b) const { return material_between(partners_[a], partners_[b]); }
+  int material_between(int a, int b) const {
+    return flyrock::material_between(scenario_, partners_[a], partners_[b]);
+  }
   /// The same for a body and a part of the terrain, given by its index; -1 if none is given.
   template <int D>
   int material_with_terrain(const World<D>& world, int body, int part) const {
@@ -59,7 +65,6 @@ class WorldLaws {
  private:
   PairLaws* make(int material, const DrawKey& key);
   int material_of_part(const std::string& name, const std::string& part, const std::string& part_name) const;
-  int material_between(const Partner& a, const Partner& b) const;
 
   const Scenario& scenario_;
   const Instances& instances_;

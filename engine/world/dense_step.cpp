@@ -272,11 +272,10 @@ typename World<D>::Outcome World<D>::dense_step(double h) {
       if (contacts_[a].bounces) after_[a] -= (h - contacts_[a].touch) / h * gained_in_step_[a];
     const double energy = total_energy();
     project_drift(true);
-    for (const auto& gap : gaps_)
-      if (gap) quality_.max_penetration = std::max(quality_.max_penetration, -*gap);
     const double lifted = total_energy() - energy;
     unsolved = unsolved_depth();
     if (unsolved <= slop || tries == most_tries) {
+      quality_.max_penetration = std::max(quality_.max_penetration, sunk_);
       quality_.projection_energy += lifted;
       quality_.theta_loss += theta_loss_;
       break;

@@ -23,8 +23,10 @@ void World<D>::project_drift(bool exact) {
   drift_.assign(bodies.size(), Body<D>::Rows::Zero());
   swell_.assign(bodies.size(), 0.0);
   gaps_.clear();
+  sunk_ = 0;
   for (const Contact& c : contacts_) {
     const double gap = gap_at(c, false);
+    sunk_ = std::max(sunk_, -gap);
     const double reach = carry_reach(c.candidate, c.antagonist);
     const double most = exact ? std::max(reach, deepest * contact_size(c.candidate, c.antagonist)) : reach;
     const bool near = gap <= reach && (exact || gap >= -most);

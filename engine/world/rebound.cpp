@@ -55,21 +55,46 @@ void World<D>::apply_spring(int a, double h) {
   set_spring<D>(spring, overlap, stretch, h, problem_, a, rebounds_[a]);
 }
 
-/// Islands of a few contacts are solved to rounding. The residual of an impact would turn a body that should
-/// land flat, and its corners would then arrive one after the other.
+/// A dense problem has few sweeps, unless what they leave would sink a body by a notable share of its size
+/// within the step: then ten times as many.
 template <int D>
-void World<D>::solve_and_apply() {
+SolveResult World<D>::solve() {
   constexpr std::size_t most_of_newton = 100;  // contacts of a dense step, for which its factorisations pay
-  const PhaseTimer timer(clock, &PhaseTimes::solve);
-  if (on_hard_problem) start_ = impulses_;
+  constexpr double sinks = 1e-4;               // of the size
+  constexpr int more = 10;
   SolveSettings wanted;
   wanted.tolerance = tolerance();
   wanted.to_rounding = !dense_;
   wanted.max_iterations = dense_ ? settings_.dense_iterations : settings_.max_iterations;
   wanted.solver = settings_.solver;
-  if (dense_ && wanted.solver == SolverKind::automatic && contacts_.size() > most_of_newton)
+  if (!dense_) return solver_.solve(problem_, rebounds_, wanted, impulses_);
+  if (wanted.solver == SolverKind::automatic && contacts_.size() > most_of_newton)
     wanted.solver = SolverKind::nlgs;
-  const SolveResult result = last_solve_ = solver_.solve(problem_, rebounds_, wanted, impulses_);
+  free_of_contacts_.clear();
+  for (const auto& contact : problem_.contacts) free_of_contacts_.push_back(contact.q);
+  SolveResult result = solver_.solve(problem_, rebounds_, wanted, impulses_);
+  if (result.converged) return result;
+  const Contact& worst = contacts_[result.worst_contact];
+  if (ahead_ * result.residual <= sinks * contact_size(worst.candidate, worst.antagonist)) return result;
+  for (std::size_t a = 0; a < contacts_.size(); ++a) problem_.contacts[a].q = free_of_contacts_[a];
+  wanted.max_iterations *= more;
+  const SolveResult again = solver_.solve(problem_, rebounds_, wanted, impulses_);
+  result.iterations += again.iterations;
+  result.work += again.work;
+  result.converged = again.converged;
+  result.residual = again.residual;
+  result.worst_contact = again.worst_contact;
+  result.solver = again.solver;
+  return result;
+}
+
+/// Islands of a few contacts are solved to rounding. The residual of an impact would turn a body that should
+/// land flat, and its corners would then arrive one after the other.
+template <int D>
+void World<D>::solve_and_apply() {
+  const PhaseTimer timer(clock, &PhaseTimes::solve);
+  if (on_hard_problem) start_ = impulses_;
+  const SolveResult result = last_solve_ = solve();
   pressed_.clear();
   ++quality_.problems;
   quality_.iterations += result.iterations;
@@ -233,6 +258,7 @@ Vec<D> World<D>::stretch_after(int a, double duration) const {
 
 #define FLYROCK_INSTANTIATE(D)                             \
   template void World<D>::apply_laws(double);              \
+  template SolveResult World<D>::solve();                  \
   template void World<D>::solve_and_apply();               \
   template void World<D>::measure_after(double);           \
   template double World<D>::energy_of(int) const;          \

@@ -341,6 +341,7 @@ class World {
   // impacts
   void apply_laws(double h);
   void apply_spring(int a, double h);
+  SolveResult solve();
   void solve_and_apply();
   double most_ratio_of_speeds() const;
   Vec<D> driven_approach(std::size_t a) const;
@@ -398,9 +399,11 @@ class World {
   bool dense_ = false;                   ///< the next step is a dense one
   bool has_springs_ = false;             ///< a contact yields (`penalty`): never dense
   std::vector<int> contacts_of_island_;  ///< [the body that names it]
-  double theta_loss_ = 0;                ///< J, of the dense step that is made now
-  double ahead_ = 0;                     ///< s, the dense step that is made now
-  std::vector<Row> gained_in_step_;      ///< m/s, by each contact of a dense step along the free path
+  double sunk_ = 0;                    ///< m, the deepest contact of a step before its drift is projected out
+  std::vector<Row> free_of_contacts_;  ///< q of a dense problem
+  double theta_loss_ = 0;              ///< J, of the dense step that is made now
+  double ahead_ = 0;                   ///< s, the dense step that is made now
+  std::vector<Row> gained_in_step_;    ///< m/s, by each contact of a dense step along the free path
   std::vector<Contact> unseen_;  ///< that the end of a dense step has shown, not the search at its start
   std::vector<Contact> solved_;  ///< by the dense step, while its end is looked at
   double walked_ = 0;            ///< how far a resting rim closes by the middle of a step, in rest_speeds

@@ -4,7 +4,7 @@ local host = ...
 
 local fr = { scenario = host.scenario, plugin = host.plugin, argument = host.argument }
 
-for _, kind in ipairs { "number", "integer", "boolean", "choice", "text", "vector", "points", "plan_points", "file", "spin", "shapes", "group" } do
+for _, kind in ipairs { "number", "integer", "boolean", "choice", "text", "vector", "points", "plan_points", "file", "spin", "shapes", "records", "law", "group" } do
   fr[kind] = function(fields)
     if fields == nil then fields = {} end
     if type(fields) ~= "table" then

@@ -101,6 +101,8 @@ LuaParameters::LuaParameters(lua_State* lua, const PluginSpec& spec, Params& par
         break;
       }
       case ParamType::shapes:
+      case ParamType::records:
+      case ParamType::law:
         break;  // of native plugins only (manifest.cpp)
     }
   }

@@ -26,6 +26,10 @@ std::vector<std::string> kind_names() {
   return names;
 }
 
+bool is_for_native_only(ParamType type) {
+  return type == ParamType::shapes || type == ParamType::records || type == ParamType::law;
+}
+
 class ManifestReader {
  public:
   ManifestReader(const Value& table, const std::map<std::string, Location>& functions,
@@ -241,11 +245,11 @@ class ManifestReader {
     }
     if (!params_failed_ && !check_bounds(*params->map(), spec_.params, diagnostics_)) params_failed_ = true;
     for (const ParamSpec& param : spec_.params)
-      if (param.type == ParamType::shapes && spec_.native.empty())
+      if (is_for_native_only(param.type) && spec_.native.empty())
         table_.error("params",
-                     fmt::format("`{}` takes shapes, which only a native plugin can build: expected "
+                     fmt::format("`{}` takes {}, which only a native plugin can read: expected "
                                  "`native`, or a parameter of another type",
-                                 param.name));
+                                 param.name, param.type == ParamType::law ? "a law" : name_of(param.type)));
   }
 
   const Value& manifest_;

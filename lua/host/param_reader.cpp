@@ -15,11 +15,13 @@ namespace {
 
 class ParamReader {
  public:
-  ParamReader(const Entry& entry, const std::string& group, Diagnostics& diagnostics)
+  /// `path` of the table that has the entry: "params.", "params.ditch.params.".
+  ParamReader(const Entry& entry, const std::string& path, Diagnostics& diagnostics)
       : name_(entry.key),
-        table_(entry.value, (group.empty() ? "params." : "params." + group + ".params.") + entry.key,
-               diagnostics) {
-    spec_.name = group.empty() ? name_ : group + "." + name_;
+        path_(path + entry.key),
+        table_(entry.value, path_, diagnostics),
+        diagnostics_(diagnostics) {
+    spec_.name = name_;
   }
 
   std::optional<ParamSpec> read() {
@@ -33,12 +35,14 @@ class ParamReader {
     const bool spin = spec_.type == ParamType::spin;
     const bool numeric = spin || spec_.type == ParamType::number || spec_.type == ParamType::integer;
     if (spin || spec_.type == ParamType::number || spec_.type == ParamType::vector ||
-        spec_.type == ParamType::points || spec_.type == ParamType::plan_points)
+        spec_.type == ParamType::law || spec_.type == ParamType::points ||
+        spec_.type == ParamType::plan_points)
       read_unit();
-    if (numeric || spec_.type == ParamType::vector) {
+    if (numeric || spec_.type == ParamType::vector || spec_.type == ParamType::law) {
       read_limits();
       read_usual();
     }
+    if (spec_.type == ParamType::records) read_records();
     read_default();
     if (spec_.optional && table_.field("default"))
       table_.error("optional", "a parameter with a default is never left out: give one of the two");
@@ -58,7 +62,7 @@ class ParamReader {
     table_.error(
         "",
         "expected a parameter: fr.number { ... }, fr.integer, fr.boolean, fr.choice, fr.text, fr.vector, "
-        "fr.points, fr.plan_points, fr.file, fr.spin, fr.shapes or fr.group");
+        "fr.points, fr.plan_points, fr.file, fr.spin, fr.shapes, fr.records, fr.law or fr.group");
     return false;
   }
 
@@ -157,7 +161,29 @@ class ParamReader {
       case ParamType::plan_points:
       case ParamType::file:
       case ParamType::shapes:
+      case ParamType::records:
+      case ParamType::law:
         break;  // the scenario gives it or leaves it out
+    }
+  }
+
+  void read_records() {
+    spec_.choices = table_.texts("words").value_or(std::vector<std::string>{});
+    spec_.single = table_.boolean("single").value_or(false);
+    spec_.from_file = table_.boolean("file").value_or(false);
+    const Value* fields = table_.field("fields");
+    if (!fields || !fields->map() || fields->map()->empty())
+      return table_.error("fields", "missing, expected a table of named parameters");
+    for (const Entry& entry : *fields->map()) {
+      const auto field = ParamReader(entry, path_ + ".fields.", diagnostics_).read();
+      if (!field)
+        table_.error("fields", fmt::format("`{}` is no parameter of a record", entry.key));
+      else if (field->type == ParamType::records || field->type == ParamType::shapes)
+        table_.error("fields", fmt::format("`{}` is a list of its own, expected a number, text, law, vector "
+                                           "or points",
+                                           entry.key));
+      else
+        spec_.fields.push_back(*field);
     }
   }
 
@@ -180,8 +206,9 @@ class ParamReader {
                    fmt::format("`{}`, expected {}", *spec_.default_text, choice_text(spec_.choices)));
   }
 
-  std::string name_;
+  std::string name_, path_;
   TableReader table_;
+  Diagnostics& diagnostics_;
   ParamSpec spec_;
   Unit unit_;  // as declared
 };
@@ -270,8 +297,9 @@ std::optional<std::vector<ParamSpec>> read_group(const Entry& entry, Diagnostics
   std::vector<ParamSpec> specs;
   bool sound = true;
   for (const Entry& inner : *params->map()) {
-    auto spec = ParamReader(inner, entry.key, diagnostics).read();
+    auto spec = ParamReader(inner, "params." + entry.key + ".params.", diagnostics).read();
     sound = sound && spec;
+    if (spec) spec->name = entry.key + "." + spec->name;
     if (spec) specs.push_back(std::move(*spec));
   }
   return sound ? std::optional(std::move(specs)) : std::nullopt;
@@ -281,7 +309,7 @@ std::optional<std::vector<ParamSpec>> read_group(const Entry& entry, Diagnostics
 
 std::optional<std::vector<ParamSpec>> read_param(const Entry& entry, Diagnostics& diagnostics) {
   if (is_group(entry)) return read_group(entry, diagnostics);
-  auto spec = ParamReader(entry, {}, diagnostics).read();
+  auto spec = ParamReader(entry, "params.", diagnostics).read();
   if (!spec) return std::nullopt;
   return std::vector<ParamSpec>{std::move(*spec)};
 }

@@ -62,6 +62,7 @@ outer_section();
 holes_section();
 branches_section();
 area_section();
+blocks_section();
 crossings_section();
 barrier_design_section();
 maps_section();

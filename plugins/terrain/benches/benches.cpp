@@ -29,6 +29,8 @@ class Benches : public TerrainModel {
         bund_{params.slot("bund.height"), params.slot("bund.top"), params.slot("bund.slope"),
               params.slot("bund.distance")},
         bund_on_berms_(params.text("bund.on") == "berm"),
+        notch_{params.slot("notch.bench"), params.slot("notch.depth"), params.slot("notch.base"),
+               params.slot("notch.from"), params.slot("notch.to")},
         roughness_{params.slot("roughness.sd"), params.slot("roughness.length"),
                    params.slot("roughness.hurst"), params.slot("roughness.cell")} {
     const bool has_line = params.given("line");
@@ -38,6 +40,7 @@ class Benches : public TerrainModel {
       if (has_line && params.given(name))
         fail(fmt::format("`line` says where the crest runs, expected it without `{}`", name));
     if (has_line && line_.size() < 2) fail("`line` needs at least two points");
+    if (notch_[0] >= 0) check_notch(params);
     if (bund_on_berms_ && params.given("bund.distance"))
       fail("`distance` is that of a bund on the floor: on berms it stands at their outer edge");
   }
@@ -47,11 +50,23 @@ class Benches : public TerrainModel {
   }
 
   TerrainShape3 build_3d(Values values, RandomStream& rng) const override {
-    return mesh_of(section(values), crest(values), roughness(values), rng);
+    if (notch_[0] < 0) return mesh_of(section(values), crest(values), roughness(values), rng);
+    const std::vector<Vec2> line = crest(values);
+    return mesh_with_notch(section(values), line.front(), line.back(), values[notch_[3]], values[notch_[4]]);
   }
 
  private:
   [[noreturn]] static void fail(const std::string& text) { throw PluginError("plugin benches: " + text); }
+
+  void check_notch(const Params& params) const {
+    if (params.given("roughness.sd")) fail("a `notch` goes with no `roughness`");
+    if (line_.size() > 2) fail("a `notch` needs a straight crest, expected a `line` of two points");
+    const bool has_ends = params.given("notch.from") && params.given("notch.to");
+    if (params.dimension() == 3 && !has_ends)
+      fail("`notch` needs in 3D `from` and `to`, its ends along the crest");
+    if (params.dimension() == 2 && (params.given("notch.from") || params.given("notch.to")))
+      fail("`notch.from` and `notch.to` need dimension 3");
+  }
 
   static double or_else(Values values, int slot, double otherwise) {
     return slot < 0 ? otherwise : values[slot];
@@ -69,6 +84,12 @@ class Benches : public TerrainModel {
     if (bund_[0] >= 0)
       numbers.bund = {values[bund_[0]], values[bund_[1]], values[bund_[2]], bund_on_berms_,
                       or_else(values, bund_[3], 0)};
+    if (notch_[0] >= 0) {
+      Notch& notch = numbers.notch.emplace();
+      notch.bench = static_cast<int>(std::lround(values[notch_[0]]));
+      notch.depth = values[notch_[1]];
+      notch.base = values[notch_[2]];
+    }
     return section_of(numbers);
   }
 
@@ -97,6 +118,7 @@ class Benches : public TerrainModel {
   std::vector<Vec2> line_;
   int ditch_[3], bund_[4];
   bool bund_on_berms_;
+  int notch_[5];
   int roughness_[4];
 };
 

@@ -58,6 +58,18 @@ return fr.plugin {
         },
       },
     },
+    notch = fr.group {
+      doc = "a prism taken out of a bench, as room for `joint_blocks`: between the face, a plane parallel to it and a base through "
+        .. "the toe, in 3D with upright ends. Parts: notch_back, notch_base, notch_end. With a straight crest, without ditch, "
+        .. "roughness and bunds on berms",
+      params = {
+        bench = fr.integer { default = 1, min = 1, doc = "which one" },
+        depth = fr.number { above = 0, unit = "m", doc = "horizontal, from the face into the rock; less than the berm above" },
+        base = fr.number { default = 0, min = 0, below = 90, unit = "deg", doc = "by which its base rises from the toe into the rock" },
+        from = fr.number { optional = true, unit = "m", doc = "3D: where it begins along the crest, from the middle" },
+        to = fr.number { optional = true, unit = "m", doc = "3D: where it ends" },
+      },
+    },
     roughness = fr.group {
       doc = "random heights of faces and berms along their normal, drawn once per trial, with the spectrum "
         .. "(1 + (k length)^2)^-(hurst + (D-1)/2)",

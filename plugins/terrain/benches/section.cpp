@@ -12,7 +12,8 @@ namespace flyrock::plugins {
 
 namespace {
 
-constexpr std::array<const char*, 5> part_names{"face", "berm", "floor", "ditch", "bund"};
+constexpr std::array<const char*, 8> part_names{"face", "berm",       "floor",      "ditch",
+                                                "bund", "notch_back", "notch_base", "notch_end"};
 
 /// The horizontal run of a slope [m]; 0 for an upright one.
 double run_of(double height, double slope) {
@@ -25,6 +26,7 @@ class Builder {
     section_.parts = {"face", "berm", "floor"};
     if (numbers.ditch) section_.parts.push_back(part_names[3]);
     if (numbers.bund) section_.parts.push_back(part_names[4]);
+    if (numbers.notch) section_.parts.insert(section_.parts.end(), part_names.begin() + 5, part_names.end());
   }
 
   Section build() {
@@ -34,8 +36,13 @@ class Builder {
     go_to({0, n.count * n.height}, BenchPart::berm, 0);
     for (int below = n.count - 1; below >= 0; --below) {
       const int bench = n.count - below;
-      section_.crests.push_back(last());
       const Vec2 crest = section_.points.back();
+      if (n.notch && n.notch->bench == bench) {
+        notch(*n.notch, {crest.x() + run, below * n.height});
+        if (below > 0 && n.berm > 0) berm(bench);
+        continue;
+      }
+      section_.crests.push_back(last());
       go_to({crest.x() + run, below * n.height}, BenchPart::face, bench);
       section_.toes.push_back(last());
       if (below > 0 && n.berm > 0) berm(bench);
@@ -65,6 +72,31 @@ class Builder {
   }
   void go_by(const Vec2& step, BenchPart part, int bench) {
     go_to(section_.points.back() + step, part, bench);
+  }
+
+  /// The face of the bench gives way to the back and the base of its notch.
+  void notch(const Notch& one, const Vec2& toe) {
+    const Vec2 crest = section_.points.back();
+    const double behind = crest.x() - section_.points[section_.points.size() - 2].x();
+    if (!(one.depth < behind))
+      throw ParameterError(
+          fmt::format("plugin benches: notch.depth is {:.6g} m, the berm above bench {} is "
+                      "{:.6g} m wide, expected less",
+                      one.depth, one.bench, behind));
+    const double cotangent = (toe.x() - crest.x()) / (crest.y() - toe.y()), slope = std::tan(one.base);
+    const double rise = slope * one.depth / (1 - slope * cotangent);
+    if (!(slope * cotangent < 1 && rise < crest.y() - toe.y()))
+      throw ParameterError(
+          fmt::format("plugin benches: notch.base is {:.6g} rad, so steep that its base comes "
+                      "out above the bench, expected less",
+                      one.base));
+    section_.points.back().x() -= one.depth;
+    section_.crests.push_back(last());
+    const int back = last();
+    go_to({toe.x() - one.depth - rise * cotangent, toe.y() + rise}, BenchPart::notch_back, one.bench);
+    section_.toes.push_back(last());
+    go_to(toe, BenchPart::notch_base, one.bench);
+    section_.notch = {back, back + 1, back + 2, crest};
   }
 
   void berm(int bench) {
@@ -132,6 +164,15 @@ Section section_of(const BenchNumbers& numbers) {
     check_slope(bund->slope, "bund.slope");
     require(bund->base() > 0, "bund.top", bund->top, "above 0 m where its sides are upright");
     require(bund->distance >= 0, "bund.distance", bund->distance, "at least 0 m");
+  }
+  if (const auto& notch = numbers.notch) {
+    require(notch->bench >= 1 && notch->bench <= numbers.count, "notch.bench", notch->bench,
+            "one of the benches");
+    require(notch->depth > 0, "notch.depth", notch->depth, "above 0 m");
+    require(notch->base >= 0 && notch->base < pi / 2, "notch.base", notch->base, "from 0 to below pi/2 rad");
+    if (numbers.ditch) throw ParameterError("plugin benches: a `notch` goes with no `ditch`");
+    if (numbers.bund && numbers.bund->on_berms)
+      throw ParameterError("plugin benches: a `notch` goes with no `bund` on the berms");
   }
   return Builder(numbers).build();
 }

@@ -27,6 +27,14 @@ struct Bund {
   double base() const;         ///< m, its width at the ground
 };
 
+/// A prism that is taken out of a bench: between its face, a plane parallel to it and a base through the toe.
+struct Notch {
+  int bench = 1;
+  double depth = 0;         ///< m, horizontal, from the face to the plane behind it
+  double base = 0;          ///< rad, by which the base rises from the toe into the rock
+  double from = 0, to = 0;  ///< m, in 3D, along the crest
+};
+
 struct BenchNumbers {
   int count = 1;
   double height = 0;      ///< m
@@ -36,10 +44,11 @@ struct BenchNumbers {
   double top = 50;        ///< m of berm behind the uppermost crest
   std::optional<Ditch> ditch;
   std::optional<Bund> bund;
+  std::optional<Notch> notch;
 };
 
 /// What a stretch of the section is, in the order of `parts`.
-enum class BenchPart { face, berm, floor, ditch, bund };
+enum class BenchPart { face, berm, floor, ditch, bund, notch_back, notch_base, notch_end };
 
 /// Points from left to right: x = 0 at the uppermost crest, y = 0 on the floor.
 struct Section {
@@ -47,7 +56,14 @@ struct Section {
   std::vector<BenchPart> part;     ///< of each stretch
   std::vector<int> bench;          ///< of each stretch, from 1; 0: below all benches
   std::vector<int> crests, toes;   ///< of each face, from the uppermost: indices of points
-  std::vector<std::string> parts;  ///< names: face, berm, floor, and those of `ditch` and `bund` if there are
+  std::vector<std::string> parts;  ///< names: face, berm, floor, and those of what else there is
+  /// The notch, in the order of the section: the crest of its back, the end of its base, the toe; and the
+  /// crest that was taken away.
+  struct NotchRows {
+    int back = 0, base = 0, toe = 0;
+    Vec2 crest = Vec2::Zero();
+  };
+  std::optional<NotchRows> notch;
 
   /// The index of a part in `parts`.
   int index_of(BenchPart one) const;

@@ -28,4 +28,8 @@ Profile profile_of(const Section& section, const std::optional<Roughness>& rough
 Mesh mesh_of(const Section& section, const std::vector<Vec2>& line, const std::optional<Roughness>& roughness,
              RandomStream& rng);
 
+/// The same with the notch of a straight section between `from` and `to` along the crest, counted from its
+/// middle. Its ends stand upright.
+Mesh mesh_with_notch(const Section& section, const Vec2& begin, const Vec2& end, double from, double to);
+
 }  // namespace flyrock::plugins
