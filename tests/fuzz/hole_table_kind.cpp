@@ -94,7 +94,7 @@ std::string spelled_head(Dice& dice, const HoleColumn& column, const Spelling& u
 }
 
 std::string decimal_of(double value, bool has_comma) {
-  std::string text = fmt::format("{:.10g}", value);
+  std::string text = fmt::format("{:.13g}", value);
   if (has_comma) std::replace(text.begin(), text.end(), '.', ',');
   return text;
 }
@@ -141,7 +141,7 @@ void break_it(Dice& dice, std::vector<std::string>& lines, char separator, HoleT
       const std::size_t c = dice.below(width);
       lines[0].replace(lines[0].find(table.heads[c]), table.heads[c].size(),
                        std::string(hole_columns[table.used[c]].names[0]) +
-                           one_of(dice, {"_mean", "_plan", "_kg_ft", "_old_m"}));
+                           one_of(dice, {"_mean", "_plan", "_s_kg", "_old_m"}));
       table.broken = "a head with an unknown rest";
       break;
     }
