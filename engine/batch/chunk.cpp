@@ -56,7 +56,8 @@ template <class Io, class Quality>
 void walk_quality(Io& io, Quality& q) {
   for (const auto count : SolverQuality::counts) io.value(q.*count);
   for (const auto value : SolverQuality::greatest) io.value(q.*value);
-  io.value(q.energy_gained), io.value(q.gained_by_slip), io.value(q.theta_loss), io.value(q.projection_energy);
+  io.value(q.energy_gained), io.value(q.gained_by_slip), io.value(q.theta_loss),
+      io.value(q.projection_energy);
   io.value(q.least_step), io.value(q.greatest_step), io.value(q.step_time);
   io.value(q.energy_relative_change);
 }

@@ -62,9 +62,9 @@ int animate(const Command& command, const Arguments& arguments) {
   const fs::path file = line.has("output") ? fs::path(line.text("output")) : result / "motion.svg";
   std::optional<double> at;
   if (line.has("at")) at = time_of("at", line.text("at"));
-  if (is_film(file)) require_programs(file);
   if (at && is_film(file) && file.extension() != ".png")
     throw UsageError("--at gives one picture: expected -o FILE.svg or FILE.png");
+  if (is_film(file)) require_programs(file);
   const SqliteReader database(result / "results.db");
   StoredPaths stored(database);
   std::vector<StoredPath> paths;

@@ -190,8 +190,8 @@ void find_rock_contacts(const Node& root, const Scenario& scenario, std::vector<
 /// Keys that a point without extent and spin has no use for.
 void find_keys_of_bodies(const Node& root, const Scenario& scenario, std::vector<std::string>& list) {
   if (const auto solver = find_given(root, "solver"))
-    for (const char* key :
-         {"name", "time_step", "step_tolerance", "theta", "tolerance", "max_iterations", "flight", "impacts", "bodies"})
+    for (const char* key : {"name", "time_step", "step_tolerance", "theta", "tolerance", "max_iterations",
+                            "flight", "impacts", "bodies"})
       if (find_given(*solver, key))
         list.push_back(fmt::format("solver.{} (a lumped mass has no contact scheme)", key));
   const auto find_spin = [&](const std::optional<Node>& node) {

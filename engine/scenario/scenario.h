@@ -323,10 +323,11 @@ inline constexpr double beyond_known_throw = 1.5;
 
 enum class FlightMode { exact, stepped };
 
-/// Dense steps (world/dense_step.cpp): when they are made, and what they take where the scenario gives nothing.
+/// Dense steps (world/dense_step.cpp): when they are made, and what they take where the scenario gives
+/// nothing.
 struct DensePlan {
   std::string bodies = "auto";  ///< or "exact", "dense"
-  double time_step = 4e-3;  ///< s
+  double time_step = 4e-3;      ///< s
   double tolerance = 1e-4;
   int max_iterations = 100;
 };

@@ -403,7 +403,7 @@ class World {
   std::vector<int> partner_;             ///< [body], what alone pushes it in a dense step
   std::vector<double> bounce_;           ///< s, [body], when it bounces in a dense step
   double sunk_ = 0;                    ///< m, the deepest contact of a step before its drift is projected out
-  double sunk_share_ = 0;                ///< the same, of the size
+  double sunk_share_ = 0;              ///< the same, of the size
   std::vector<Row> free_of_contacts_;  ///< q of a dense problem
   double theta_loss_ = 0;              ///< J, of the dense step that is made now
   double ahead_ = 0;                   ///< s, the dense step that is made now

@@ -72,6 +72,8 @@ TEST_CASE("polygons of a GeoJSON file are zones, and its faults have their place
        "feature 1 is no region: the outline of a polygon crosses itself");
   says("", square + ",", ":2:");
   says("", ring("[[8, 47], [8.1, 47], [8.1, 47.1], [8, 47]]"),
+       "is in degrees (from 8 to 8.1 and 47 to 47.1)");
+  says("", ring("[[8000, 9000], [8010, 9000], [8010, 9010], [8000, 9000]]"),
        "the zone `soft` covers nothing of the terrain");
 }
 

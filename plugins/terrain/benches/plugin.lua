@@ -11,7 +11,7 @@ return fr.plugin {
     height = fr.number { above = 0, unit = "m", usual = { 1, 60 }, doc = "height of a bench" },
     face_angle = fr.number { above = 0, max = 90, unit = "deg", usual = { 30, 90 }, doc = "dip of the faces" },
     berm = fr.number { min = 0, unit = "m", doc = "width of the berms between two benches; 0 joins their faces" },
-    floor = fr.number { above = 0, unit = "m", doc = "length of the floor beyond the lowest toe" },
+    floor = fr.number { min = 0.01, unit = "m", doc = "length of the floor beyond the lowest toe" },
     top = fr.number {
       optional = true,
       above = 0,

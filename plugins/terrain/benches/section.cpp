@@ -166,8 +166,9 @@ Section section_of(const BenchNumbers& numbers) {
     require(bund->distance >= 0, "bund.distance", bund->distance, "at least 0 m");
   }
   if (const auto& notch = numbers.notch) {
-    require(notch->bench >= 1 && notch->bench <= numbers.count, "notch.bench", notch->bench,
-            "one of the benches");
+    if (notch->bench < 1 || notch->bench > numbers.count)
+      throw ParameterError(fmt::format("plugin benches: notch.bench is {}, must be one of the {} benches",
+                                       notch->bench, numbers.count));
     require(notch->depth > 0, "notch.depth", notch->depth, "above 0 m");
     require(notch->base >= 0 && notch->base < pi / 2, "notch.base", notch->base, "from 0 to below pi/2 rad");
     if (numbers.ditch) throw ParameterError("plugin benches: a `notch` goes with no `ditch`");

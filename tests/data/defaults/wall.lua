@@ -1,4 +1,4 @@
--- A wall of a hundred bricks stands still.
+-- A wall of a hundred bricks stands still, up to the residual of dense steps: 1e-4 of g x 4 ms.
 local fr = require "flyrock"
 local bodies = {}
 for k = 0, 99 do
@@ -8,4 +8,4 @@ for k = 0, 99 do
 end
 return fr.scenario { flyrock = 1, dimension = 2, method = "nscd", terrain = { type = "plane", material = "m" }, bodies = bodies,
   materials = { m = { friction = { type = "coulomb", mu = 0.6 } } }, stop = { time = 1, speed = 0 },
-  expect = { { measure = "body.b95.max.speed", below = "1e-6 m/s" } } }
+  expect = { { measure = "body.b95.max.speed", below = "4e-6 m/s" } } }

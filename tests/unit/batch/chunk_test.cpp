@@ -1,7 +1,10 @@
 #include "batch/chunk.h"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 
+#include "batch/inputs.h"
 #include "batch/record_check.h"
 #include "batch/sha256.h"
 #include "record/columns.h"
@@ -208,7 +211,9 @@ TEST_CASE("Records that a program other than flyrock has written are held agains
         "a rock that arrives twice at one gate or barrier");
   CHECK(fault_after([](TrialRecords& r) { r.barriers.push_back(r.barriers.back()); }) ==
         "a rock that arrives twice at one gate or barrier");
-  CHECK(fault_after([](TrialRecords& r) { r.inputs[0].input = 12; }) == "input 12, the scenario has 12");
+  const int inputs = static_cast<int>(inputs_of(scenario).size());
+  CHECK(fault_after([&](TrialRecords& r) { r.inputs[0].input = inputs; }) ==
+        fmt::format("input {0}, the scenario has {0}", inputs));
   CHECK(fault_after([](TrialRecords& r) { r.trajectories[0].point.mode = static_cast<TravelMode>(-1); }) ==
         "a point of a trajectory of no known mode of travel");
   CHECK(fault_after([](TrialRecords& r) { r.totals.bodies[0].reason = static_cast<StopReason>(9); }) ==

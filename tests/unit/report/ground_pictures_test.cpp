@@ -76,7 +76,7 @@ TEST_CASE("The section of a point has the ground under the mean line of its rock
   CHECK(section_data(PointResult()).is_null());
 }
 
-TEST_CASE("The page holds the ends of the first rocks, without those that failed") {
+TEST_CASE("The page holds the ends of the first rocks and of some others, without those that failed") {
   TrialRecords records;
   for (std::uint64_t trial = 0; trial < 5; ++trial) {
     RockRecord& rock = records.rocks.emplace_back();
@@ -88,6 +88,7 @@ TEST_CASE("The page holds the ends of the first rocks, without those that failed
   deposits.add(records);
   const nlohmann::ordered_json data = deposits.data();
   CHECK(data.at("count") == 4);
-  CHECK(data.at("x") == nlohmann::json({0, 2000, 1000}));
-  CHECK(data.at("trial") == nlohmann::json({0, 2, 1}));
+  CHECK(data.at("x") == nlohmann::json({0, 2000, 1000, 1000}));
+  CHECK(data.at("trial") == nlohmann::json({0, 2, 1, 1}));
+  CHECK(data.at("far") == 1);  // after the first three
 }

@@ -148,7 +148,8 @@ TEST_CASE("Only inputs that the rocks of a group depend on are ranked") {
                                      [](const RockGroup& group) { return group.name == "mckenzie"; });
   const auto group = static_cast<std::size_t>(mckenzie - side_by_side.rocks.begin());
   CHECK(RankedInputs(side_by_side).reads(group, Derived::charge));
-  CHECK(RankedInputs(side_by_side).reads(group, Derived::powder_factor));  // of the charge, though not of the burden
+  CHECK(RankedInputs(side_by_side)
+            .reads(group, Derived::powder_factor));  // of the charge, though not of the burden
 }
 
 TEST_CASE("The inputs of a law that no contact asked are not ranked") {

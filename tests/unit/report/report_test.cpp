@@ -188,7 +188,7 @@ TEST_CASE("The assumptions are those of the method") {
   CHECK(assumptions(plan).find("Assumed: a vertical section (2D), each rock is a point whose path ends where "
                                "it first meets the ground") == 0);
   CHECK(assumptions(plan).find("no drag of the air.") != std::string::npos);
-  plan.points[0].air.emplace();
+  for (RockGroup& group : plan.points[0].rocks) group.air.emplace();
   CHECK(assumptions(plan).find("drag of the air as on a sphere of equal volume.") != std::string::npos);
   CHECK(assumptions(plan).find("contact") == std::string::npos);
 }
