@@ -253,11 +253,8 @@ MakeWorker analysis_workers(LoadedScenario& loaded, const Analysis& analysis, co
       Diagnostics diagnostics;
       own->scenario =
           load_scenario(request.scenario, request.overrides, diagnostics, Prints::collected, &loaded);
-      if (!own->scenario)
-        throw FileError(
-            fmt::format("{}, or a file that it names, was changed while the run started", request.scenario));
-      make_analysis(*own->scenario, *request.analysis);
-      if (own->scenario->hash != loaded.hash)
+      if (own->scenario) make_analysis(*own->scenario, *request.analysis);
+      if (!own->scenario || own->scenario->hash != loaded.hash)
         throw FileError(
             fmt::format("{}, or a file that it names, was changed while the run started", request.scenario));
       session = own->scenario->session.get();

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
-#include <thread>
 
 #include "batch/folder_lock.h"
 #include "batch/runners.h"
@@ -91,10 +90,7 @@ CalibrationJob read_calibration_job(const CommandLine& line) {
                    ? fs::path(line.text("output"))
                    : fs::path("out") / (fs::path(job.scenario).stem().string() + "-calibration");
   if (job.folder.empty()) throw UsageError("--output: expected a folder");
-  job.threads =
-      line.has("jobs")
-          ? static_cast<int>(std::min<std::uint64_t>(whole_number(line.text("jobs"), "-j", 1), 1024))
-          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  job.threads = threads_of(line);
   constexpr int per_number = 40;
   job.search_evaluations = per_number * static_cast<int>(job.varied.size());
   if (line.has("evaluations"))

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <iostream>
+#include <thread>
 
 #include "document/wording.h"
 
@@ -83,6 +85,12 @@ std::uint64_t whole_number(const std::string& text, const std::string& what, std
   if (read.ec != std::errc{} || read.ptr != end || number < least)
     throw UsageError(fmt::format("{}: `{}` is not a whole number of at least {}", what, text, least));
   return number;
+}
+
+int threads_of(const CommandLine& line) {
+  if (line.has("jobs"))
+    return static_cast<int>(std::min<std::uint64_t>(whole_number(line.text("jobs"), "-j", 1), 1024));
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 }  // namespace flyrock::cli

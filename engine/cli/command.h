@@ -83,4 +83,7 @@ CommandLine parse(const Command& command, const boost::program_options::options_
 /// A whole number of at least `least`. Throws UsageError with the name `what`.
 std::uint64_t whole_number(const std::string& text, const std::string& what, std::uint64_t least);
 
+/// The threads that --jobs asks for, at most 1024; without it all cores. Throws UsageError.
+int threads_of(const CommandLine& line);
+
 }  // namespace flyrock::cli

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <thread>
 
 #include "batch/plan_chunks.h"
 #include "batch/safe_file.h"
@@ -128,12 +127,6 @@ int conclude_shard(const RunOutcome& outcome, const Shard& shard, const std::fil
     fmt::print("shard {} of {}: {} trials in {}; `flyrock merge` puts the shards together\n", shard.number,
                shard.of, trials_in(outcome.chunks), chunks.string());
   return outcome.why.empty() && outcome.failed == 0 ? done : faults;
-}
-
-int threads_of(const CommandLine& line) {
-  if (line.has("jobs"))
-    return static_cast<int>(std::min<std::uint64_t>(whole_number(line.text("jobs"), "-j", 1), 1024));
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 /// Refuses options that contradict each other.

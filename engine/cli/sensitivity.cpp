@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <thread>
 
 #include "batch/safe_file.h"
 #include "cli/analysis.h"
@@ -75,10 +74,7 @@ SensitivityJob read_sensitivity_job(const CommandLine& line) {
     job.in_shard_folder = line.text("shard") == "auto";
     job.shard = job.request.shard = job.in_shard_folder ? shard_of_task() : read_shard(line.text("shard"));
   }
-  job.threads =
-      line.has("jobs")
-          ? static_cast<int>(std::min<std::uint64_t>(whole_number(line.text("jobs"), "-j", 1), 1024))
-          : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  job.threads = threads_of(line);
   job.resume = line.has("resume");
   job.force = line.has("force");
   job.quiet = line.has("quiet");

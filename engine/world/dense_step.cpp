@@ -6,9 +6,10 @@
 // A contact that closes within the step faster than rest_speed, under a law that bounces, collides at the
 // time t of its touch along the free path, with the velocity there: the law holds for
 //   u(t)+ = u+ - (u_free - u) (h - t)/h,
-// and its bodies move with their free path until t. A body that no contact pushes flies along its parabola.
-// Overlap that is left is projected out. Features that end deeper than `slop` and were not among the contacts
-// join them, and the step is made again; every other time it is halved.
+// and its bodies, if nothing else pushes them, move along their free paths until t. A body that no contact
+// pushes flies along its parabola. Overlap that is left is projected out. Features that end deeper than
+// `slop` and were not among the contacts join them, and the step is made again; every other time it is
+// halved.
 //
 // Of first order. Sources: D. Stewart and J. Trinkle 1996; gaps as M. Anitescu and A. Tasora 2010.
 

@@ -72,20 +72,16 @@ SolveResult World<D>::solve() {
     wanted.solver = SolverKind::nlgs;
   free_of_contacts_.clear();
   for (const auto& contact : problem_.contacts) free_of_contacts_.push_back(contact.q);
-  SolveResult result = solver_.solve(problem_, rebounds_, wanted, impulses_);
+  const SolveResult result = solver_.solve(problem_, rebounds_, wanted, impulses_);
   if (result.converged) return result;
   const Contact& worst = contacts_[result.worst_contact];
   if (ahead_ * result.residual <= sinks * contact_size(worst.candidate, worst.antagonist)) return result;
   for (std::size_t a = 0; a < contacts_.size(); ++a) problem_.contacts[a].q = free_of_contacts_[a];
   wanted.max_iterations *= more;
-  const SolveResult again = solver_.solve(problem_, rebounds_, wanted, impulses_);
-  result.iterations += again.iterations;
-  result.work += again.work;
-  result.converged = again.converged;
-  result.residual = again.residual;
-  result.worst_contact = again.worst_contact;
-  result.solver = again.solver;
-  return result;
+  SolveResult again = solver_.solve(problem_, rebounds_, wanted, impulses_);
+  again.iterations += result.iterations;
+  again.work += result.work;
+  return again;
 }
 
 /// Islands of a few contacts are solved to rounding. The residual of an impact would turn a body that should
@@ -99,16 +95,12 @@ void World<D>::solve_and_apply() {
   ++quality_.problems;
   quality_.iterations += result.iterations;
   solver_work_ += result.work;
-  if (!result.converged && dense_) {
+  if (!result.converged) {
+    ++(dense_ ? quality_.dense_unfinished : quality_.not_converged);
+    if (on_hard_problem && !dense_) on_hard_problem(problem_, start_);
+    double& greatest = dense_ ? quality_.dense_residual : quality_.not_converged_residual;
     const double scale = problem_.contacts[result.worst_contact].speed_scale;
-    ++quality_.dense_unfinished;
-    if (scale > 0) quality_.dense_residual = std::max(quality_.dense_residual, result.residual / scale);
-  } else if (!result.converged) {
-    ++quality_.not_converged;
-    if (on_hard_problem) on_hard_problem(problem_, start_);
-    const double scale = problem_.contacts[result.worst_contact].speed_scale;
-    if (scale > 0)
-      quality_.not_converged_residual = std::max(quality_.not_converged_residual, result.residual / scale);
+    if (scale > 0) greatest = std::max(greatest, result.residual / scale);
   }
   if (missed_last_solve() || throws()) find_pressed();
   // Impulses that grow without bound hold nothing: the run ends with the velocities before them.
