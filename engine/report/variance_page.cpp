@@ -116,8 +116,8 @@ std::string tornado(const ExplainedVariance& found, const ExplainedNumber& numbe
     low = std::min({low, of->response.f_p10, of->response.f_p90});
     high = std::max({high, of->response.f_p10, of->response.f_p90});
   }
-  const double margin = high > low ? 0.1 * (high - low) : 1;
-  BarPicture picture("the mean at p10 and p90 of each input", low - margin, high + margin, lines.size());
+  const double edge = high > low ? 0.1 * (high - low) : 1;
+  BarPicture picture("the mean at p10 and p90 of each input", low - edge, high + edge, lines.size());
   picture.rule(number.indices.mean, "mean " + shown_number(number.indices.mean, number.unit));
   for (std::size_t bar = 0; bar < lines.size(); ++bar) {
     const NamedResponse& of = *lines[bar].second;
@@ -176,7 +176,7 @@ std::string means_together(const ExplainedVariance& found) {
   return pictures;
 }
 
-std::string cell(const std::string& text) { return "<td>" + escaped(text) + "</td>"; }
+std::string table_cell(const std::string& text) { return "<td>" + escaped(text) + "</td>"; }
 
 std::string index_table(const ExplainedVariance& found, const ExplainedNumber& number) {
   const auto text = [](double share) { return std::isfinite(share) ? fmt::format("{:.3f}", share) : "-"; };
@@ -190,9 +190,10 @@ std::string index_table(const ExplainedVariance& found, const ExplainedNumber& n
     const SobolIndex& index = number.indices.inputs[i];
     std::string streams;
     for (const std::string& stream : input.streams) streams += (streams.empty() ? "" : ", ") + stream;
-    table += "<tr>" + cell(input.name) + cell(text(index.first)) + cell(interval(index.first_interval)) +
-             cell(text(index.total)) + cell(interval(index.total_interval)) +
-             cell(streams.empty() ? "all others" : streams) + "</tr>\n";
+    table += "<tr>" + table_cell(input.name) + table_cell(text(index.first)) +
+             table_cell(interval(index.first_interval)) + table_cell(text(index.total)) +
+             table_cell(interval(index.total_interval)) +
+             table_cell(streams.empty() ? "all others" : streams) + "</tr>\n";
   }
   table += fmt::format(
       "<tr><td>sum</td><td>{}</td><td></td><td>{}</td><td></td><td></td></tr></table></details>\n",

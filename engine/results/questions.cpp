@@ -54,12 +54,12 @@ std::string year_text(double p, double blasts) {
   return fmt::format("{} in {} blast{}", share, three_digits(blasts), blasts == 1 ? "" : "s");
 }
 
-constexpr const char *held = "held", *not_held = "not held", *not_shown = "not shown";
+constexpr const char *verdict_held = "held", *verdict_not_held = "not held", *verdict_not_shown = "not shown";
 
 /// Of a number with an interval that must not exceed a limit.
 const char* verdict_of(double lower, double upper, double limit) {
-  if (upper <= limit) return held;
-  return lower > limit ? not_held : not_shown;  // NaN: not shown
+  if (upper <= limit) return verdict_held;
+  return lower > limit ? verdict_not_held : verdict_not_shown;  // NaN: not shown
 }
 
 // ---- how far
@@ -80,8 +80,8 @@ std::string distance_text(const ClearancePlan& asked, const ClearanceSummary& fo
 
 /// Of the customary distance, against the distance with its factor and the interval without one.
 const char* verdict_of(const ClearanceSummary& found, double customary) {
-  if (found.with_factor > customary) return not_held;
-  if (found.distance.censored && !(found.interval.lower > customary)) return not_shown;
+  if (found.with_factor > customary) return verdict_not_held;
+  if (found.distance.censored && !(found.interval.lower > customary)) return verdict_not_shown;
   return verdict_of(found.interval.lower, found.interval.upper, customary);
 }
 
@@ -115,7 +115,7 @@ Question missing_distance(const ClearancePlan& asked, const ClearanceSummary& fo
   row.interval = missing_text(asked, found);
   row.clause = fmt::format("the {} of {} is not given ({})", asked.sectors > 0 ? "area" : "distance",
                            asked.name, row.interval);
-  put_limit(asked, not_shown, row);
+  put_limit(asked, verdict_not_shown, row);
   return row;
 }
 
@@ -135,7 +135,11 @@ Question area_question(const ClearancePlan& asked, const ClearanceSummary& found
   if (asked.customary) {
     const double distance = std::max(found.distance.value, asked.factor ? found.with_factor : 0);
     const bool is_held = distance <= *asked.customary && !found.distance.censored;
-    put_limit(asked, is_held ? held : distance > *asked.customary ? not_held : not_shown, row);
+    put_limit(asked,
+              is_held                       ? verdict_held
+              : distance > *asked.customary ? verdict_not_held
+                                            : verdict_not_shown,
+              row);
   }
   return row;
 }
@@ -221,7 +225,7 @@ std::string verdict_of(const ExposurePlan& asked, const ExposureSummary& found) 
   };
   judge(asked.limit_per_blast, found.per_blast.interval);
   judge(asked.limit_per_year, found.per_year_interval);
-  for (const char* worst : {not_held, not_shown, held})
+  for (const char* worst : {verdict_not_held, verdict_not_shown, verdict_held})
     for (const std::string& verdict : verdicts)
       if (verdict == worst) return verdict;
   return {};

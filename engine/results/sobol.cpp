@@ -87,7 +87,7 @@ class Centred {
 void draw_counts(RandomStream& rng, std::vector<double>& counts) {
   std::fill(counts.begin(), counts.end(), 0.0);
   const auto last = static_cast<std::int64_t>(counts.size()) - 1;
-  for (std::size_t draws = counts.size(); draws > 0; --draws)
+  for (std::size_t left = counts.size(); left > 0; --left)
     counts[static_cast<std::size_t>(rng.integer(0, last))] += 1;
 }
 
