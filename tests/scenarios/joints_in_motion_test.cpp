@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "../load.h"
+#include "load.h"
 
 using namespace flyrock;
 
