@@ -194,7 +194,7 @@ TEST_CASE(
   CHECK(change == Approx(contacts - quality.theta_loss + quality.projection_energy).epsilon(1e-6));
 }
 
-TEST_CASE("a wall of forty contacts is dense, and a few bodies are exact; springs are never dense") {
+TEST_CASE("a wall of forty contacts is dense, and a few bodies are exact, springs are never dense") {
   Material material(0, 0.6);
   for (const int rows : {2, 12}) {
     Bench bench(ground(30), material, automatic());

@@ -46,6 +46,8 @@ const std::map<std::string, Sound>& sound_calls() {
       {"verify", {""}},
       {"explain", {scenario, {{"impact", "1"}}}},
       {"solve", {"p.hdf5"}},
+      {"sensitivity", {scenario + " --number 8 --quiet --force"}},
+      {"joints", {"survey.csv"}},
   };
   return calls;
 }
@@ -138,6 +140,7 @@ void check_answer(const Folder& folder, const std::string& arguments, bool names
 /// A folder with what the sound calls read.
 void fill(const Folder& folder) {
   folder.write("some_file", "neither a scenario nor a plugin\n");
+  folder.write("survey.csv", "dip,dip_direction\n60,90\n62,95\n58,88\n30,200\n33,205\n28,196\n");
   folder.write(scenario, bench_with("trials: 4", "trials: 2"));
   REQUIRE(call(folder, "run " + scenario + " --quiet -o r").code == 0);
   for (const std::string shard : {"1", "2"})

@@ -237,6 +237,7 @@ bool is_wrong_form(const Mutant& mutant) {
   if (says(mutant.what, "without "))  // not: what another key beside it needs
     return says(mutant.errors, " is missing, expected") || says(mutant.errors, " is missing\n");
   if (says(mutant.what, "unknown key")) return says(mutant.errors, "oops_key");
+  if (says(mutant.errors, "there is no file")) return false;  // a text may be the name of one
   return true;
 }
 

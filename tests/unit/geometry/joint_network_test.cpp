@@ -193,7 +193,8 @@ TEST_CASE("the area of a disc inside a polygon") {
   CHECK(disc_overlap(square, {-0.5, 1}, 1) == Approx(std::acos(0.5) - 0.5 * std::sqrt(0.75)));
 }
 
-TEST_CASE("the area of discs a volume is one over the spacing; the joints cut tend to it with the radius") {
+TEST_CASE(
+    "the area of discs a volume is one over the spacing, and the joints cut tend to it with the radius") {
   double last = 10;
   for (const double radius : {1.0, 3.0, 30.0}) {
     const JointSet<3> set{.name = "a",

@@ -131,7 +131,7 @@ TEST_CASE("who is hit stands in a row with its interval and its year, and in a c
   CHECK(stream.clause == "one blast in 200 hits a vehicle on road");
 }
 
-TEST_CASE("where no rock landed near, the bound stands; a sure hit is said in percent") {
+TEST_CASE("where no rock landed near, the bound stands, and a sure hit is said in percent") {
   const Question none = asked_of(questions_test::house(), 0, {0, 0.002});
   CHECK(none.per_blast == "below 0.2 %, one in 500");
   CHECK(none.interval == "no rock within 12 m");
