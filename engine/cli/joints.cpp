@@ -130,6 +130,9 @@ std::optional<std::vector<SurveyedPlane>> read_survey(const std::string& path) {
     const auto plunge = number(row, "scanline_plunge", -90 * deg, 90 * deg);
     if (trend) plane.scanline = line_of(*trend, plunge.value_or(0));
     plane.weight = table->number(row, "weight").value_or(1);
+    plane.trace = table->number(row, "trace_length");
+    if (plane.trace && !(*plane.trace > 0))
+      diagnostics.error(table->at(row, "trace_length"), "", "`trace_length` must be above 0");
     if (!(plane.weight > 0)) diagnostics.error(table->at(row, "weight"), "", "`weight` must be above 0");
   }
   tell("{}", diagnostics.to_text());

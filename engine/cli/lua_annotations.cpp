@@ -101,6 +101,7 @@ function terrain:normal(x, y) end
 ---@field default? any
 ---@field unit? string
 ---@field optional? boolean
+---@field needed_in? integer 2 or 3: the dimension that needs an `optional` one
 ---@field min? number|string
 ---@field max? number|string
 ---@field above? number|string

@@ -37,6 +37,7 @@ std::string default_text(const ParamSpec& param) {
     for (double number : *param.default_vector) numbers.push_back(in_unit(number, param));
     return fmt::format("[{}]", fmt::join(numbers, ", "));
   }
+  if (param.needed_in != 0) return fmt::format("required in {}D", param.needed_in);
   return param.optional ? "may be left out" : "required";
 }
 

@@ -16,6 +16,9 @@ struct ContactPoint {
   FeatureId feature = 0;           ///< of the candidate: contactor and its vertex, edge or face
   /// Of the antagonist: feature of the terrain, or contactor and vertex, edge or face of a body
   FeatureId against = 0;
+  /// m2, in 3D, where a reduction has dropped contacts of the same face: an equal share of the area that is
+  /// lost with them (manifold_reduction.h)
+  double dropped_area = 0;
 };
 
 template <int D>

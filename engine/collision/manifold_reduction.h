@@ -9,7 +9,8 @@
 namespace flyrock {
 
 /// Reduces the contacts from index `begin` on, which share a normal, to at most four: the deepest one, the
-/// one farthest from it, and the farthest one on either side of the line through these two.
+/// one farthest from it, and the farthest one on either side of the line through these two. The area of the
+/// convex hull that gets lost is shared by those that stay (ContactPoint::dropped_area).
 void keep_four(std::vector<ContactPoint<3>>& contacts, std::size_t begin);
 
 /// The tributary area of points[which] [m2]: its share of the area of the convex hull of points that lie, up

@@ -64,6 +64,7 @@ struct ParamSpec {
   Dimension dimension;
   std::string doc;
   bool optional = false;                    ///< may be left out even without a default
+  int needed_in = 0;                        ///< 2 or 3: an optional one that this dimension needs
   std::optional<double> default_number;     ///< number, integer, boolean (0 or 1)
   std::optional<std::string> default_text;  ///< choice, text
   std::optional<std::vector<double>> default_vector;
@@ -77,6 +78,7 @@ struct ParamSpec {
   bool from_file = false;              ///< records: may be the name of a YAML file or of a table
 
   bool required() const { return !optional && !default_number && !default_text && !default_vector; }
+  bool required_in(int scenario_dimension) const { return required() || needed_in == scenario_dimension; }
   /// "ditch" of "ditch.width"; empty for a parameter outside of groups.
   std::string_view group() const;
   /// "width" of "ditch.width".

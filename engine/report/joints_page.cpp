@@ -41,15 +41,16 @@ std::string row_of(const std::vector<std::string>& cells, const char* tag = "td"
 
 std::string table_of_sets(const JointSurvey& survey) {
   std::string table = "<table>\n" + row_of({"set", "dip, deg", "dip direction, deg", "mean to within, deg",
-                                            "K", "share of the planes", "planes", "spacing, m"},
+                                            "K", "share of the planes", "planes", "spacing, m", "trace, m"},
                                            "th");
   for (std::size_t s = 0; s < survey.sets.size(); ++s) {
     const SurveyedSet& set = survey.sets[s];
     table += row_of({name_of_set(s), degrees(set.dip), degrees(set.direction), degrees(set.cone),
                      estimate_text(set.k), share_text(set.share), std::to_string(set.planes),
-                     set.spacing ? estimate_text(*set.spacing) : "not measured"});
+                     set.spacing ? estimate_text(*set.spacing) : "not measured",
+                     set.trace ? estimate_text(*set.trace) : "not measured"});
   }
-  table += row_of({"no set", "", "", "", "", share_text(survey.rest), "", ""});
+  table += row_of({"no set", "", "", "", "", share_text(survey.rest), "", "", ""});
   return table + "</table>\n";
 }
 
@@ -116,7 +117,9 @@ std::string joints_page(const std::string& file, const JointSurvey& survey, cons
   page += paragraph(
       "note",
       "Poles are axes. The sets are Fisher distributions of axes beside a uniform rest, fitted by EM. A "
-      "plane that meets its scanline at the angle a counts 1/sin(a) (Terzaghi).");
+      "plane that meets its scanline at the angle a counts 1/sin(a) (Terzaghi), and its trace 1/length in "
+      "the "
+      "mean trace. Ends of traces that the face does not show make that mean a lower bound.");
   page += table_of_hazards(survey, options);
   return plain_page("Joints of " + file, page);
 }
@@ -132,7 +135,8 @@ Json joints_data(const JointSurvey& survey, const SurveyOptions& options) {
                     {"fisher_k", data_of(set.k)},
                     {"share", data_of(set.share)},
                     {"planes", set.planes},
-                    {"spacing_m", set.spacing ? data_of(*set.spacing) : Json(nullptr)}});
+                    {"spacing_m", set.spacing ? data_of(*set.spacing) : Json(nullptr)},
+                    {"trace_m", set.trace ? data_of(*set.trace) : Json(nullptr)}});
   }
   Json data = {{"planes", survey.planes},
                {"blind", survey.blind},
@@ -161,6 +165,12 @@ std::string sets_yaml(const std::string& file, const JointSurvey& survey) {
                 : std::string(
                       "    # spacing: not measured (needs position_m along a scanline); give it, for "
                       "example { exponential: { mean: 2 m } }\n");
+    if (set.trace)
+      text += fmt::format(
+          "    # radius: {:.4g} m   # of discs of one size, whose mean trace is pi/2 of it; else joints do "
+          "not "
+          "end\n",
+          2 / pi * set.trace->value);
   }
   return text;
 }

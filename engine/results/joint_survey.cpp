@@ -78,38 +78,55 @@ class HazardShares {
       wedges_;  ///< of each plane, the earlier ones that make a wedge with it
 };
 
+/// A length with its weight in a mean.
+struct WeightedLength {
+  double length = 0, weight = 1;
+};
+
 /// The distances between neighbours of a set along their scanlines, at right angles to its mean plane.
-std::vector<double> gaps_of(const std::vector<SurveyedPlane>& planes, const std::vector<Vec3>& lines,
-                            const std::vector<int>& set_of, int set, const Vec3& mean) {
+std::vector<WeightedLength> gaps_of(const std::vector<SurveyedPlane>& planes, const std::vector<Vec3>& lines,
+                                    const std::vector<int>& set_of, int set, const Vec3& mean) {
   std::map<std::array<double, 3>, std::vector<double>> by_line;
   for (std::size_t i = 0; i < planes.size(); ++i)
     if (set_of[i] == set && planes[i].position && !lines[i].isZero(0))
       by_line[{lines[i].x(), lines[i].y(), lines[i].z()}].push_back(*planes[i].position);
-  std::vector<double> gaps;
+  std::vector<WeightedLength> gaps;
   for (auto& [line, places] : by_line) {
     std::sort(places.begin(), places.end());
     const double sine = sine_to_line(mean, Vec3(line[0], line[1], line[2]));
-    for (std::size_t i = 1; i < places.size(); ++i) gaps.push_back(sine * (places[i] - places[i - 1]));
+    for (std::size_t i = 1; i < places.size(); ++i) gaps.push_back({sine * (places[i] - places[i - 1])});
   }
   return gaps;
 }
 
-double average_of(const std::vector<double>& numbers) {
-  return std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
+/// The lengths of the traces of a set.
+std::vector<WeightedLength> traces_of(const std::vector<SurveyedPlane>& planes,
+                                      const std::vector<Vec3>& lines, const std::vector<int>& set_of,
+                                      int set) {
+  std::vector<WeightedLength> traces;
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (set_of[i] == set && planes[i].trace)
+      traces.push_back({*planes[i].trace, lines[i].isZero(0) ? 1 : 1 / *planes[i].trace});
+  return traces;
 }
 
-std::optional<Estimate> spacing_of(const std::vector<double>& gaps, std::uint64_t seed, int set) {
-  constexpr std::size_t least_gaps = 2;
-  if (gaps.size() < least_gaps) return std::nullopt;
+/// The mean of at least two lengths.
+std::optional<Estimate> mean_of_lengths(const std::vector<WeightedLength>& lengths, std::uint64_t seed,
+                                        int set) {
+  constexpr std::size_t least_lengths = 2;
+  if (lengths.size() < least_lengths) return std::nullopt;
+  const auto mean = [&](const std::vector<double>& counts) {
+    double sum = 0, weights = 0;
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+      sum += counts[i] * lengths[i].weight * lengths[i].length;
+      weights += counts[i] * lengths[i].weight;
+    }
+    return sum / weights;
+  };
   std::vector<double> again;
-  for (int draw = 0; draw < bootstrap_draws; ++draw) {
-    const std::vector<double> counts =
-        counts_of_draw(gaps.size(), seed + 1 + static_cast<std::uint64_t>(set), draw);
-    double sum = 0;
-    for (std::size_t i = 0; i < gaps.size(); ++i) sum += counts[i] * gaps[i];
-    again.push_back(sum / static_cast<double>(gaps.size()));
-  }
-  return estimate(average_of(gaps), again);
+  for (int draw = 0; draw < bootstrap_draws; ++draw)
+    again.push_back(mean(counts_of_draw(lengths.size(), seed + 1 + static_cast<std::uint64_t>(set), draw)));
+  return estimate(mean(std::vector<double>(lengths.size(), 1.0)), again);
 }
 
 /// What the bootstrap finds for one set.
@@ -183,8 +200,10 @@ JointSurvey survey_of(const std::vector<SurveyedPlane>& planes, const SurveyOpti
     set.share = estimate(set.fit.share, again[s].shares);
     set.planes =
         static_cast<int>(std::count(survey.set_of.begin(), survey.set_of.end(), static_cast<int>(s)));
-    set.spacing = spacing_of(gaps_of(used, lines, survey.set_of, static_cast<int>(s), set.fit.mean),
-                             options.seed, static_cast<int>(s));
+    const int number = static_cast<int>(s);
+    set.spacing =
+        mean_of_lengths(gaps_of(used, lines, survey.set_of, number, set.fit.mean), options.seed, number);
+    set.trace = mean_of_lengths(traces_of(used, lines, survey.set_of, number), options.seed, number);
   }
   survey.rest = estimate(survey.mixture.rest, rest);
   if (shares) {

@@ -16,6 +16,7 @@ struct SurveyedPlane {
   std::optional<double> position = std::nullopt;  ///< along its scanline [m]
   std::optional<Vec3> scanline = std::nullopt;    ///< unit, along the line on which it was met
   double weight = 1;
+  std::optional<double> trace = std::nullopt;  ///< its length on the face [m]
 };
 
 /// A face, and how far from it a motion is judged to be one of the face.
@@ -45,6 +46,9 @@ struct SurveyedSet {
   Estimate k, share;
   int planes = 0;                   ///< that belong to it rather than to another set or the rest
   std::optional<Estimate> spacing;  ///< m, normal to its mean plane
+  /// m, mean length of its traces. A scanline meets a trace with a probability in proportion to its length:
+  /// such traces count 1/length (Priest 1993). Ends that a face does not show make it a lower bound.
+  std::optional<Estimate> trace;
 };
 
 /// Shares of the planes, and of the pairs of planes, that could let the face fail.

@@ -116,7 +116,7 @@ Map normalise_params(DecodeContext& context, const Node& map, const std::vector<
     if (!parent) continue;
     const std::optional<Node> node = parent->find(spec.own_name());
     std::optional<Value> by_default = node ? std::nullopt : default_value(spec, context.dimension);
-    if (!node && spec.required())
+    if (!node && spec.required_in(context.dimension))
       context.diagnostics.error(
           parent->key_at, parent->path,
           fmt::format("`{}` is missing, expected {}", spec.own_name(), expected_text(spec)));

@@ -70,7 +70,8 @@ Value read_yaml_file(DecodeContext& context, const Node& node, const ParamSpec& 
 /// The records of a table. Its cells are numbers in SI units or texts.
 Value read_table_file(DecodeContext& context, const Node& node, const ParamSpec& spec, const fs::path& path) {
   std::vector<TableColumn> columns = table_columns(spec.fields);
-  for (std::size_t i = 0; i < columns.size(); ++i) columns[i].required = spec.fields[i].required();
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    columns[i].required = spec.fields[i].required_in(context.dimension);
   const auto table = read_table_of(context, spec.name, path.string(), columns, {}, node);
   if (!table) return {};
   List list;

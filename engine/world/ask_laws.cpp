@@ -101,7 +101,7 @@ ContactState World<D>::state_of(const Contact& contact, double h) {
     for (const Vec<D>& point : patch_) state.length += 0.5 * (point - contact.at.point).norm();
     state.area = state.length * body.volume / (pi * body.radius * body.radius);
   } else {
-    state.area = tributary_area(patch_, which, contact.at.normal);
+    state.area = tributary_area(patch_, which, contact.at.normal) + contact.at.dropped_area;
   }
   state.age = contact.age;
   state.was_sticking = contact.sticking;

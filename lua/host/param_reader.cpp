@@ -32,6 +32,11 @@ class ParamReader {
     if (!read_type()) return std::nullopt;
     spec_.doc = table_.text("doc").value_or("");
     spec_.optional = table_.boolean("optional").value_or(false);
+    if (const auto needed_in = table_.number("needed_in")) {
+      spec_.needed_in = *needed_in == 2 ? 2 : 3;
+      if (!spec_.optional || (*needed_in != 2 && *needed_in != 3))
+        table_.error("needed_in", "expected 2 or 3, the dimension that needs an `optional` parameter");
+    }
     const bool spin = spec_.type == ParamType::spin;
     const bool numeric = spin || spec_.type == ParamType::number || spec_.type == ParamType::integer;
     if (spin || spec_.type == ParamType::number || spec_.type == ParamType::vector ||

@@ -233,7 +233,7 @@ bool says(const std::string& errors, const char* part) { return errors.find(part
 
 /// Whether `check` refuses a mutant by its form, which the schema must refuse too.
 bool is_wrong_form(const Mutant& mutant) {
-  if (mutant.errors.empty()) return false;
+  if (mutant.errors.empty() || says(mutant.errors, "there is no file `oops`")) return false;
   if (says(mutant.what, "without "))  // not: what another key beside it needs
     return says(mutant.errors, " is missing, expected") || says(mutant.errors, " is missing\n");
   if (says(mutant.what, "unknown key")) return says(mutant.errors, "oops_key");

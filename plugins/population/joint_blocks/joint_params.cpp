@@ -62,10 +62,10 @@ template <int D>
 typename JointParams<D>::Orientation JointParams<D>::orientation_of(const ParamRecord& record,
                                                                     const std::string& key) {
   const Orientation found{record.slot("dip"), record.slot("dip_direction"), record.slot("angle")};
-  if (D == 2 && (found.angle < 0 || found.dip >= 0 || found.direction >= 0))
-    refuse_params(fmt::format("`{}` needs in 2D `angle`, from +x counter-clockwise, and no `dip`", key));
-  if (D == 3 && (found.dip < 0 || found.direction < 0 || found.angle >= 0))
-    refuse_params(fmt::format("`{}` needs in 3D `dip` and `dip_direction`, and no `angle`", key));
+  if (D == 2 && (found.dip >= 0 || found.direction >= 0))
+    refuse_params(fmt::format("`{}` has in 2D an `angle`, from +x counter-clockwise, and no `dip`", key));
+  if (D == 3 && found.angle >= 0)
+    refuse_params(fmt::format("`{}` has in 3D `dip` and `dip_direction`, and no `angle`", key));
   return found;
 }
 

@@ -22,9 +22,9 @@ return fr.plugin {
       file = true,
       fields = {
         name = fr.text { optional = true, doc = "in tables; else set_1, set_2, ..." },
-        dip = fr.number { optional = true, min = 0, max = 90, unit = "deg", doc = "3D: from the horizontal" },
-        dip_direction = fr.number { optional = true, min = 0, max = 360, unit = "deg", doc = "3D: clockwise from north (+y)" },
-        angle = fr.number { optional = true, min = -180, max = 180, unit = "deg", doc = "2D: of the line, from +x counter-clockwise" },
+        dip = fr.number { optional = true, needed_in = 3, min = 0, max = 90, unit = "deg", doc = "3D: from the horizontal" },
+        dip_direction = fr.number { optional = true, needed_in = 3, min = 0, max = 360, unit = "deg", doc = "3D: clockwise from north (+y)" },
+        angle = fr.number { optional = true, needed_in = 2, min = -180, max = 180, unit = "deg", doc = "2D: of the line, from +x counter-clockwise" },
         fisher_k = fr.number {
           optional = true,
           above = 0,
@@ -42,9 +42,9 @@ return fr.plugin {
       optional = true,
       file = true,
       fields = {
-        dip = fr.number { optional = true, min = 0, max = 90, unit = "deg", doc = "3D: from the horizontal" },
-        dip_direction = fr.number { optional = true, min = 0, max = 360, unit = "deg", doc = "3D: clockwise from north (+y)" },
-        angle = fr.number { optional = true, min = -180, max = 180, unit = "deg", doc = "2D: of the line, from +x counter-clockwise" },
+        dip = fr.number { optional = true, needed_in = 3, min = 0, max = 90, unit = "deg", doc = "3D: from the horizontal" },
+        dip_direction = fr.number { optional = true, needed_in = 3, min = 0, max = 360, unit = "deg", doc = "3D: clockwise from north (+y)" },
+        angle = fr.number { optional = true, needed_in = 2, min = -180, max = 180, unit = "deg", doc = "2D: of the line, from +x counter-clockwise" },
         x = fr.number { optional = true, unit = "m", doc = "a place on it; without a place it lies at random in the region" },
         y = fr.number { optional = true, unit = "m", doc = "a place on it" },
         z = fr.number { optional = true, unit = "m", doc = "a place on it, in 3D" },

@@ -104,6 +104,11 @@ TEST_CASE("of many contacts the deepest and the widest four are kept, and share 
   }
   keep_four(contacts, 0);
   CHECK(ids(contacts) == std::set<std::pair<FeatureId, FeatureId>>{{2, 0}, {5, 0}, {8, 0}, {11, 0}});
+  // The dodecagon has 3 m2, the square that is left 2 m2; a second place at each corner changes nothing.
+  for (const ContactPoint<3>& contact : contacts) CHECK(contact.dropped_area == Approx(0.25));
+  for (std::size_t i = 0; i < 4; ++i) contacts.push_back(contacts[i]);
+  keep_four(contacts, 0);
+  for (const ContactPoint<3>& contact : contacts) CHECK(contact.dropped_area == Approx(0).margin(1e-15));
 
   const std::vector<Vec3> rectangle{{0, 0, 0}, {3, 0, 0}, {3, 2, 0}, {0, 2, 0}, {1, 1, 0}};
   for (std::size_t i = 0; i < 4; ++i) CHECK(tributary_area(rectangle, i, Vec3::UnitZ()) == Approx(1.5));

@@ -156,6 +156,7 @@ TEST_CASE("a scanline counts planes by Terzaghi, leaves out its blind zone, and 
                       .direction = 90 * deg,
                       .position = 2.0 * (i / 2) + (i % 2) * 0.3,
                       .scanline = line_of(90 * deg, 0)});
+  for (std::size_t i = 0; i < 12; ++i) planes[2 * i + 1].trace = i % 4 == 0 ? 1 : 3;
   planes.push_back({.dip = 90 * deg, .direction = 5 * deg, .position = 7, .scanline = line_of(90 * deg, 0)});
   const JointSurvey survey = survey_of(planes, {.sets = 2, .blind = 15 * deg});
   CHECK(survey.planes == 31);
@@ -164,6 +165,11 @@ TEST_CASE("a scanline counts planes by Terzaghi, leaves out its blind zone, and 
   // sin 30 = 1/2: a plane of 30 degrees counts twice
   CHECK(survey.sets[0].dip == Approx(30 * deg).epsilon(1e-3));
   CHECK(survey.sets[0].share.value == Approx(2.0 / 3).epsilon(1e-2));
+  // Half of the traces of the first set are 1 m long, half 3 m: a scanline meets one of those to three of
+  // these.
+  REQUIRE(survey.sets[0].trace);
+  CHECK(survey.sets[0].trace->value == Approx(2));
+  CHECK_FALSE(survey.sets[1].trace);
   REQUIRE(survey.sets[0].spacing);
   CHECK(survey.sets[0].spacing->value == Approx(1).epsilon(1e-3));
   CHECK(survey.sets[1].spacing->value == Approx(2).epsilon(1e-3));
