@@ -17,6 +17,7 @@
 #include "world/motions.h"
 #include "world/pair_laws.h"
 #include "world/phase_clock.h"
+#include "world/shape_motion.h"
 #include "world/step_control.h"
 
 namespace flyrock {
@@ -321,8 +322,8 @@ class World {
   void ask_laws(double h);
 
   // assemble.cpp: the friction problem
-  double shape_speed(const Contact& contact) const;
-  double mobility_of_shape(int body) const;
+  ShapeTouch<D> shape_touch(const Contact& contact, int body) const;
+  void add_shape_velocity(const Contact& contact, Row& velocity) const;
   Row relative_velocity(const Contact& contact) const;
   TouchingPart<D> touching_part_of(const Contact& contact, int body, FeatureId feature) const;
   struct Turning {
