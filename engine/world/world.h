@@ -199,6 +199,8 @@ class World {
     int other = -1;    ///< -1: the terrain
   };
   Overlap deepest_overlap();
+  /// The same of the body that was added last only, for as long as bodies are added.
+  Overlap overlap_of_last();
   /// Updates the maximum penetration with the present state. Used at the end of a flight that no touch has
   /// ended.
   void measure_penetration();
@@ -275,6 +277,10 @@ class World {
   const std::vector<std::pair<int, int>>& close_pairs();
 
   void find_contacts(double ahead);
+  void find_on_terrain(int body, double ahead);
+  void find_between(int candidate, int antagonist, double ahead);
+  void append_points(int candidate, int antagonist);
+  Overlap deepest_of_contacts();
   double reach_of_step(int candidate, int antagonist) const;
 
   // dense_step.cpp: the step of many bodies that touch
