@@ -29,7 +29,7 @@ double Faults<D>::energy_of(int i) const {
   const Body<D>& body = world_.bodies[i];
   if (!body.moves()) return 0;
   const double rigid = body.kinetic_energy() - body.mass * world_.gravity().dot(body.x);
-  return body.breathes() ? rigid + body.breathing.potential_energy() : rigid;
+  return changes_shape(body) ? rigid + potential_energy_of_shape(body) : rigid;
 }
 
 /// Whether a body whose centre of mass, at `place`, may be outside of it, has a point or the highest place of

@@ -82,7 +82,7 @@ void SeriesRecorder<D>::put(int body, const BodyState& state, const Attitude<D>&
                           quaternion_of(attitude)});
   rows_.bodies.back().state.position.template head<D>() = place;
   if (!b.breathes()) return;
-  rows_.bodies.back().potential_energy += b.breathing.potential_energy();
+  rows_.bodies.back().potential_energy += potential_energy_of_shape(b);
   rows_.bodies.back().radius = b.breathing.now.radius;
 }
 

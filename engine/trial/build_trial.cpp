@@ -208,7 +208,7 @@ void TrialBuilder<D>::add_apart(World<D>& world, const RockPlan<D>& plan, TrialR
       world.remove_last();
       world.add(std::move(elsewhere));
     }
-    if (const auto fault = start_fault(world, origin()))
+    if (const auto fault = start_fault_of_last(world, origin()))
       throw ScenarioError(release_path(rock.group), fault->text);
   } catch (const TrialError&) {
     world.remove_last();

@@ -204,31 +204,53 @@ void refuse_speed(const Body<D>& body) {
       body.group, speed, spin, most_speed, most_spin));
 }
 
+namespace {
+
+/// What is wrong with the place of one body, apart from the contacts that it has; or an empty text.
 template <int D>
-std::optional<StartFault> start_fault(World<D>& world, const Vec3& origin) {
+std::string place_fault(const World<D>& world, const Body<D>& body, const Vec3& origin) {
+  if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return far_text(body, origin);
+  if (!body.moves()) return {};
+  if (const std::string beyond = beyond_text(body, domain_of(world.terrain()), origin); !beyond.empty())
+    return beyond;
+  if (!ground_height(world.terrain(), body.x))
+    return fmt::format("`{}` starts at {}, where there is no ground", body.group, start_text(body, origin));
+  if (const double depth = buried(body, world.terrain()); depth > most_overlap * body.size)
+    return inside_terrain(body, depth, world.terrain(), origin);
+  if (const auto in = in_surface(body, world.bodies); in.depth > most_overlap * body.size)
+    return inside_text(body, in.depth, *in.surface);
+  return {};
+}
+
+template <int D>
+std::optional<StartFault> overlap_fault(const World<D>& world, const typename World<D>::Overlap& overlap,
+                                        const Vec3& origin) {
   double size = 0;
-  const Domain<D> domain = domain_of(world.terrain());
-  for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i) {
-    const Body<D>& body = world.bodies[i];
-    if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return StartFault{i, far_text(body, origin)};
-    if (!body.moves()) continue;
-    size = std::max(size, body.size);
-    if (const std::string beyond = beyond_text(body, domain, origin); !beyond.empty())
-      return StartFault{i, beyond};
-    if (!ground_height(world.terrain(), body.x))
-      return StartFault{i, fmt::format("`{}` starts at {}, where there is no ground", body.group,
-                                       start_text(body, origin))};
-    if (const double depth = buried(body, world.terrain()); depth > most_overlap * body.size)
-      return StartFault{i, inside_terrain(body, depth, world.terrain(), origin)};
-    if (const auto in = in_surface(body, world.bodies); in.depth > most_overlap * body.size)
-      return StartFault{i, inside_text(body, in.depth, *in.surface)};
-  }
-  const auto overlap = world.deepest_overlap();
+  for (const Body<D>& body : world.bodies)
+    if (body.moves()) size = std::max(size, body.size);
   if (overlap.depth <= most_overlap * size) return std::nullopt;
   const Body<D>& body = world.bodies[overlap.body];
   if (overlap.other < 0)
     return StartFault{overlap.body, inside_terrain(body, overlap.depth, world.terrain(), origin)};
   return StartFault{overlap.body, inside_text(body, overlap.depth, world.bodies[overlap.other])};
+}
+
+}  // namespace
+
+template <int D>
+std::optional<StartFault> start_fault(World<D>& world, const Vec3& origin) {
+  for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i)
+    if (std::string fault = place_fault(world, world.bodies[i], origin); !fault.empty())
+      return StartFault{i, std::move(fault)};
+  return overlap_fault(world, world.deepest_overlap(), origin);
+}
+
+template <int D>
+std::optional<StartFault> start_fault_of_last(World<D>& world, const Vec3& origin) {
+  const int last = static_cast<int>(world.bodies.size()) - 1;
+  if (std::string fault = place_fault(world, world.bodies.back(), origin); !fault.empty())
+    return StartFault{last, std::move(fault)};
+  return overlap_fault(world, world.overlap_of_last(), origin);
 }
 
 std::string start_fault_of_point(const Body<3>& body, const Ground3& ground, const Vec3& origin) {
@@ -250,7 +272,7 @@ template <int D>
 bool last_is_free(World<D>& world) {
   const Body<D>& last = world.bodies.back();
   const double depth = std::max(buried(last, world.terrain()), in_surface(last, world.bodies).depth);
-  return std::max(world.deepest_overlap().depth, depth) <= most_overlap * last.size;
+  return std::max(world.overlap_of_last().depth, depth) <= most_overlap * last.size;
 }
 
 template void refuse_extremes(const Body<2>&);
@@ -265,6 +287,8 @@ template void refuse_speed(const Body<2>&);
 template void refuse_speed(const Body<3>&);
 template std::optional<StartFault> start_fault(World<2>&, const Vec3&);
 template std::optional<StartFault> start_fault(World<3>&, const Vec3&);
+template std::optional<StartFault> start_fault_of_last(World<2>&, const Vec3&);
+template std::optional<StartFault> start_fault_of_last(World<3>&, const Vec3&);
 template bool last_is_free(World<2>&);
 template bool last_is_free(World<3>&);
 

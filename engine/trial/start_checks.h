@@ -46,6 +46,10 @@ struct StartFault {
 template <int D>
 std::optional<StartFault> start_fault(World<D>& world, const Vec3& origin = Vec3::Zero());
 
+/// The same of the body that was added last to others without a fault.
+template <int D>
+std::optional<StartFault> start_fault_of_last(World<D>& world, const Vec3& origin = Vec3::Zero());
+
 /// The same for a point that flies over the ground of a terrain; empty if it may start.
 std::string start_fault_of_point(const Body<3>& body, const Ground3& ground,
                                  const Vec3& origin = Vec3::Zero());

@@ -23,19 +23,20 @@ std::optional<Vec3> line_of(const Body<3>* body, const Terrain3& terrain, Featur
 
 }  // namespace
 
-/// By how fast the radii of the bodies of a contact open its gap [m/s].
 template <int D>
-double World<D>::shape_speed(const Contact& contact) const {
-  double speed = 0;
-  for (const int i : {contact.candidate, contact.antagonist})
-    if (i >= 0 && bodies[i].breathes()) speed += bodies[i].breathing.side * bodies[i].breathing.now.rate;
-  return speed;
+ShapeTouch<D> World<D>::shape_touch(const Contact& contact, int body) const {
+  const bool is_candidate = body == contact.candidate;
+  return {.feature = is_candidate ? contact.at.feature : contact.at.against,
+          .frame = contact_frame(contact.at.normal),
+          .side = is_candidate ? 1.0 : -1.0};
 }
 
-/// The part of M^-1 of the shape: dR' of a body for an impulse along its radius; 0 for a rigid body.
+/// What the shapes of both bodies add to the velocity of a contact.
 template <int D>
-double World<D>::mobility_of_shape(int body) const {
-  return bodies[body].breathes() ? bodies[body].breathing.inverse_mass(theta_h_) : 0.0;
+void World<D>::add_shape_velocity(const Contact& contact, Row& velocity) const {
+  for (const int i : {contact.candidate, contact.antagonist})
+    if (i >= 0 && changes_shape(bodies[i]))
+      velocity.template head<D>() += shape_velocity(bodies[i], shape_touch(contact, i));
 }
 
 template <int D>
@@ -48,7 +49,7 @@ typename World<D>::Row World<D>::relative_velocity(const Contact& contact) const
     spin -= bodies[contact.antagonist].w;
   }
   Row u = contact_velocity<D>(contact.at.normal, v, spin);
-  if (const double opens = shape_speed(contact); opens != 0) u[0] += opens;
+  add_shape_velocity(contact, u);
   return u;
 }
 
@@ -241,14 +242,20 @@ void World<D>::couple() {
       for (int k = 0; k < Problem::rows; ++k)
         mobility.col(k) = bodies[body].inverse_mass_times(of(a, body).col(k));
       problem_.contacts[a].w.noalias() += mobility.transpose() * of(a, body);
-      const double of_shape = mobility_of_shape(body);  // side^2 = 1
-      if (of_shape > 0) problem_.contacts[a].w(0, 0) += of_shape;
+      const bool yields = changes_shape(bodies[body]);
+      if (yields) {
+        const ShapeTouch<D> own = shape_touch(contacts_[a], body);
+        problem_.contacts[a].w.template topLeftCorner<D, D>() +=
+            shape_mobility(bodies[body], own, own, theta_h_);
+      }
       for (const int b : contacts_of_[body]) {
         if (b == a) continue;
         typename Problem::Block w = Problem::Block::Zero();
         w.template topLeftCorner<N, N>().noalias() =
             mobility.template leftCols<N>().transpose() * of(b, body).template leftCols<N>();
-        if (of_shape > 0) w(0, 0) += of_shape;
+        if (yields)
+          w.template topLeftCorner<D, D>() += shape_mobility(bodies[body], shape_touch(contacts_[a], body),
+                                                             shape_touch(contacts_[b], body), theta_h_);
         problem_.couple(b, w);
       }
     }
@@ -275,8 +282,8 @@ void World<D>::scale_by_island(double h) {
 }
 
 #define FLYROCK_INSTANTIATE(D)                                              \
-  template double World<D>::shape_speed(const Contact&) const;              \
-  template double World<D>::mobility_of_shape(int) const;                   \
+  template ShapeTouch<D> World<D>::shape_touch(const Contact&, int) const;  \
+  template void World<D>::add_shape_velocity(const Contact&, Row&) const;   \
   template World<D>::Row World<D>::relative_velocity(const Contact&) const; \
   template void World<D>::measure_before(double);                           \
   template void World<D>::assemble(double, double)

@@ -91,46 +91,54 @@ void World<D>::detect(double ahead) {
 }
 
 template <int D>
+void World<D>::find_on_terrain(int body, double ahead) {
+  const Body<D>& b = bodies[body];
+  points_.clear();
+  const double reach = reach_of_step(body, -1);
+  near_parts(work_, b.parts, b.pose(), *terrain_, reach, parts_);
+  for (const int k : parts_)
+    terrain_contacts<D>(work_, Placed<D>{b.contactors[k], b.pose(), k}, *terrain_, reach,
+                        b.spin_speed() * ahead, points_);
+  append_points(body, -1);
+}
+
+template <int D>
+void World<D>::find_between(int candidate, int antagonist, double ahead) {
+  const Body<D>&a = bodies[candidate], &b = bodies[antagonist];
+  if (!a.present || !b.present || (!a.moves() && !b.moves())) return;
+  points_.clear();
+  const double reach = reach_of_step(candidate, antagonist);
+  near_parts(work_, a.parts, a.pose(), b.parts, b.pose(), reach, part_pairs_);
+  for (const auto& [k, l] : part_pairs_)
+    body_contacts(work_, Placed<D>{a.contactors[k], a.pose(), k}, Placed<D>{b.contactors[l], b.pose(), l},
+                  reach, points_, (a.spin_speed() + b.spin_speed()) * ahead);
+  append_points(candidate, antagonist);
+}
+
+/// Makes contacts of the points that were found.
+template <int D>
+void World<D>::append_points(int candidate, int antagonist) {
+  for (const ContactPoint<D>& point : points_) {
+    Contact& contact = contacts_.emplace_back();
+    contact.at = point;
+    contact.candidate = candidate;
+    contact.antagonist = antagonist;
+    contact.laws = antagonist < 0 ? terrain_laws_[candidate][part_of(*terrain_, point.against)]
+                                  : pair_laws(candidate, antagonist);
+  }
+}
+
+template <int D>
 void World<D>::find_contacts(double ahead) {
   contacts_.clear();
-  auto append = [&](int candidate, int antagonist) {
-    for (const ContactPoint<D>& point : points_) {
-      Contact& contact = contacts_.emplace_back();
-      contact.at = point;
-      contact.candidate = candidate;
-      contact.antagonist = antagonist;
-      contact.laws = antagonist < 0 ? terrain_laws_[candidate][part_of(*terrain_, point.against)]
-                                    : pair_laws(candidate, antagonist);
-    }
-  };
   // Contacts are sorted by candidate, with the terrain first and then the antagonists in their order. NLGS
   // sweeps in this order, and match_last needs it.
   static const std::vector<std::pair<int, int>> none;
   const auto& pairs = bodies_meet() ? close_pairs() : none;
   auto pair = pairs.begin();
   for (int i = 0; i < static_cast<int>(bodies.size()); ++i) {
-    const Body<D>& body = bodies[i];
-    if (body.moves()) {
-      points_.clear();
-      const double reach = reach_of_step(i, -1);
-      near_parts(work_, body.parts, body.pose(), *terrain_, reach, parts_);
-      for (const int k : parts_)
-        terrain_contacts<D>(work_, Placed<D>{body.contactors[k], body.pose(), k}, *terrain_, reach,
-                            body.spin_speed() * ahead, points_);
-      append(i, -1);
-    }
-    for (; pair != pairs.end() && pair->first == i; ++pair) {
-      const Body<D>& other = bodies[pair->second];
-      if (!body.present || !other.present || (!body.moves() && !other.moves())) continue;
-      points_.clear();
-      const double reach = reach_of_step(i, pair->second);
-      near_parts(work_, body.parts, body.pose(), other.parts, other.pose(), reach, part_pairs_);
-      for (const auto& [k, l] : part_pairs_)
-        body_contacts(work_, Placed<D>{body.contactors[k], body.pose(), k},
-                      Placed<D>{other.contactors[l], other.pose(), l}, reach, points_,
-                      (body.spin_speed() + other.spin_speed()) * ahead);
-      append(i, pair->second);
-    }
+    if (bodies[i].moves()) find_on_terrain(i, ahead);
+    for (; pair != pairs.end() && pair->first == i; ++pair) find_between(i, pair->second, ahead);
   }
 }
 
@@ -277,6 +285,27 @@ double World<D>::gap_at(const Contact& c, bool at_start) const {
 template <int D>
 typename World<D>::Overlap World<D>::deepest_overlap() {
   detect(0);
+  return deepest_of_contacts();
+}
+
+/// Others have been looked at when they were added, so that a trial of n rocks costs n^2 distances, and no
+/// more.
+template <int D>
+typename World<D>::Overlap World<D>::overlap_of_last() {
+  const PhaseTimer timer(clock, &PhaseTimes::detect);
+  contacts_.clear();
+  const int last = static_cast<int>(bodies.size()) - 1;
+  const Body<D>& own = bodies[last];
+  if (own.moves()) find_on_terrain(last, 0);
+  for (int other = 0; other < last && bodies_meet(); ++other) {
+    const double reach = bodies[other].size + own.size + reach_of_step(other, last);
+    if ((bodies[other].x - own.x).norm() <= reach) find_between(other, last, 0);
+  }
+  return deepest_of_contacts();
+}
+
+template <int D>
+typename World<D>::Overlap World<D>::deepest_of_contacts() {
   Overlap deepest;
   for (const Contact& c : contacts_) {
     if (-c.at.gap <= deepest.depth) continue;
@@ -299,6 +328,11 @@ void World<D>::measure_penetration() {
   template double World<D>::reach_in_middle(int, int) const;                     \
   template const std::vector<std::pair<int, int>>& World<D>::near_pairs(double); \
   template void World<D>::find_contacts(double);                                 \
+  template void World<D>::find_on_terrain(int, double);                          \
+  template void World<D>::find_between(int, int, double);                        \
+  template void World<D>::append_points(int, int);                               \
+  template World<D>::Overlap World<D>::deepest_of_contacts();                    \
+  template World<D>::Overlap World<D>::overlap_of_last();                        \
   template void World<D>::detect(double);                                        \
   template void World<D>::keep_closed(double);                                   \
   template Placed<D> World<D>::placed(int, FeatureId, bool) const;               \

@@ -46,7 +46,8 @@ void World<D>::project_drift(bool exact) {
     const double lambda = -gap / problem_.contacts[a].w(0, 0);
     for_bodies(a, [&](int i, const auto& columns) {
       drift_[i] += bodies[i].inverse_mass_times(lambda * columns.col(0));
-      if (bodies[i].breathes()) swell_[i] += mobility_of_shape(i) * bodies[i].breathing.side * lambda;
+      if (bodies[i].breathes())
+        swell_[i] += bodies[i].breathing.inverse_mass(theta_h_) * bodies[i].breathing.side * lambda;
     });
   };
   for (int pass = 0; pass < closing; ++pass)

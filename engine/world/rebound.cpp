@@ -113,8 +113,8 @@ void World<D>::solve_and_apply() {
     contact.impulse = impulses_[a];
     for_bodies(a, [&](int i, const auto& columns) {
       bodies[i].add_velocity(bodies[i].inverse_mass_times(columns * contact.impulse));
-      if (bodies[i].breathes())
-        bodies[i].breathing.now.rate += mobility_of_shape(i) * bodies[i].breathing.side * contact.impulse[0];
+      if (changes_shape(bodies[i]))
+        push_shape<D>(bodies[i], shape_touch(contact, i), contact.impulse.template head<D>(), theta_h_);
       unsolved_[i] = {result.residual, time};
     });
   }
@@ -126,7 +126,7 @@ typename World<D>::Row World<D>::velocity_after(int a, double h) const {
   const Contact& contact = contacts_[a];
   Row u = rows_[a].candidate.transpose() * bodies[contact.candidate].velocity();
   if (contact.antagonist >= 0) u += rows_[a].antagonist.transpose() * bodies[contact.antagonist].velocity();
-  if (const double opens = shape_speed(contact); opens != 0) u[0] += opens;
+  add_shape_velocity(contact, u);
   if (h > 0) u += settings_.theta * h * contact.turning;
   return u;
 }

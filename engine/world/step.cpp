@@ -74,7 +74,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     for (Body<D>& body : bodies)
       if (body.present && body.kind != BodyKind::fixed) {
         body.displace(dt * body.velocity());
-        if (body.breathes()) body.swell(dt * body.breathing.now.rate);
+        if (changes_shape(body)) move_shape(body, dt);
       }
   };
   impacts_.clear();
@@ -108,7 +108,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
       foreseen_[i] = foreseen_push(i, h);
       body.w = free_spin(body, h, theta, foreseen_[i]);
       free_[i] = body.velocity();
-      if (body.breathes()) body.breathing.now.rate = body.breathing.free_rate(body.spin_speed(), h, theta);
+      if (changes_shape(body)) accelerate_shape(body, h, theta);
     }
     begin_manifolds();
     ask_laws(h);

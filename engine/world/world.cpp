@@ -90,7 +90,7 @@ double World<D>::total_energy() const {
   for (const Body<D>& body : bodies)
     if (body.moves()) energy += body.kinetic_energy() - body.mass * gravity_.dot(body.x);
   for (const Body<D>& body : bodies)
-    if (body.breathes()) energy += body.breathing.potential_energy();
+    if (changes_shape(body)) energy += potential_energy_of_shape(body);
   for (const Contact& c : last_) {
     // Of one that has opened, the features may be anywhere.
     if (c.law.condition != NormalCondition::penalty || !c.carried) continue;

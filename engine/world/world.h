@@ -17,6 +17,7 @@
 #include "world/motions.h"
 #include "world/pair_laws.h"
 #include "world/phase_clock.h"
+#include "world/shape_motion.h"
 #include "world/step_control.h"
 
 namespace flyrock {
@@ -200,6 +201,8 @@ class World {
     int other = -1;    ///< -1: the terrain
   };
   Overlap deepest_overlap();
+  /// The same of the body that was added last only, for as long as bodies are added.
+  Overlap overlap_of_last();
   /// Updates the maximum penetration with the present state. Used at the end of a flight that no touch has
   /// ended.
   void measure_penetration();
@@ -276,6 +279,10 @@ class World {
   const std::vector<std::pair<int, int>>& close_pairs();
 
   void find_contacts(double ahead);
+  void find_on_terrain(int body, double ahead);
+  void find_between(int candidate, int antagonist, double ahead);
+  void append_points(int candidate, int antagonist);
+  Overlap deepest_of_contacts();
   double reach_of_step(int candidate, int antagonist) const;
 
   // dense_step.cpp: the step of many bodies that touch
@@ -323,8 +330,8 @@ class World {
   void ask_laws(double h);
 
   // assemble.cpp: the friction problem
-  double shape_speed(const Contact& contact) const;
-  double mobility_of_shape(int body) const;
+  ShapeTouch<D> shape_touch(const Contact& contact, int body) const;
+  void add_shape_velocity(const Contact& contact, Row& velocity) const;
   Row relative_velocity(const Contact& contact) const;
   TouchingPart<D> touching_part_of(const Contact& contact, int body, FeatureId feature) const;
   struct Turning {
