@@ -9,6 +9,7 @@
 #include "batch/free_rollers.h"
 #include "batch/hard_contacts.h"
 #include "batch/map_cells.h"
+#include "batch/pile_cost.h"
 #include "batch/tiers.h"
 #include "collision/pairs.h"
 #include "geometry/off_terrain.h"
@@ -265,6 +266,18 @@ void find_tiers(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried
     if (tried.tiers.empty()) tried.tiers = tier_note(world);
 }
 
+/// Finds worlds in which so many bodies may meet that a trial may take long.
+template <int D>
+void find_pile_cost(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
+  if (scenario.method != Method::nscd || !tried.pile_cost.empty()) return;
+  std::size_t most = 0;
+  for (const World<D>& world : trial.worlds)
+    if (world.bodies_meet())
+      most = std::max(most, static_cast<std::size_t>(std::count_if(world.bodies.begin(), world.bodies.end(),
+                                                                   [](const auto& b) { return b.moves(); })));
+  tried.pile_cost = pile_cost_note(scenario, most);
+}
+
 /// Finds cells of maps that cannot be made.
 void find_map_cells(const Scenario& scenario, const Trial<3>& trial, TriedOut& tried) {
   try {
@@ -332,6 +345,7 @@ void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, const TryLim
       find_overlapping_parts(scenario, trial, tried);
       find_loose_drums(scenario, trial, tried);
       find_tiers(scenario, trial, tried);
+      find_pile_cost(scenario, trial, tried);
       find_flat_faces(scenario, trial, tried);
       find_lost_places(scenario, trial, tried);
       if (number == 0) find_forest_faults(scenario, trial, tried);

@@ -123,6 +123,8 @@ typename World<D>::Turning World<D>::turning_of(const Contact& contact, double a
   turning.rate = contact_velocity<D>(normal, change, Space<D>::no_spin());
   turning.walks = a.rolls || b.rolls;
   if (contact.antagonist < 0 && is_plane(b)) return turning;  // a face of the ground keeps its normal
+  turning.lasts =
+      a.radius != 0 || b.radius != 0 || is_driven(contact.candidate) || is_driven(contact.antagonist);
   const auto [normal_rate, over_a, over_b] = contact_motion(a, b, normal);
   Row bend;
   if constexpr (D == 2) {
@@ -137,8 +139,6 @@ typename World<D>::Turning World<D>::turning_of(const Contact& contact, double a
   if (bend.template head<D>().norm() <= at_rest * g_) return turning;
   turning.rate += bend;
   turning.bends = !turning.walks;  // the place of a rim depends on the attitude as much as on the spin
-  turning.lasts =
-      a.radius != 0 || b.radius != 0 || is_driven(contact.candidate) || is_driven(contact.antagonist);
   return turning;
 }
 
@@ -148,9 +148,11 @@ typename World<D>::Turning World<D>::turning_of(const Contact& contact, double a
 /// (docs/numerics.md). A body that collides in the step is left out, because its spin jumps.
 template <int D>
 void World<D>::measure_before(double h) {
-  // The share of the step after which the velocities give H(end) - H(middle) times v(end) to the second
-  // order, where n' and v change alike: 3/4 of the step for n', the whole step for v.
-  constexpr double late = 0.875;
+  // The share of the step after which the velocities are taken. After 0.875 they give H(end) - H(middle)
+  // times v(end) to the second order, where n' and v change alike: 3/4 of the step for n', the whole step for
+  // v. Those of the middle err by more in place; but what contacts work against the turn before the middle,
+  // they give back after it, and a swing keeps its energy to the third order.
+  constexpr double late = 0.875, middle = 0.5;
   touching_.assign(bodies.size(), false);  // those that collide
   walked_ = 0;
   for (Contact& contact : contacts_) {
@@ -159,10 +161,13 @@ void World<D>::measure_before(double h) {
     contact.lasts = false;
     if (h == 0) continue;
     Turning turning = turning_of(contact, 0, h);
-    if (turning.bends && !gains_.empty()) turning = turning_of(contact, late * h, h);
+    if (turning.bends && !gains_.empty())
+      turning = turning_of(contact, (turning.lasts ? middle : late) * h, h);
     const double in_middle = contact.approach();
     contact.turning = turning.rate;
     contact.lasts = turning.lasts;
+    contact.walks = turning.walks;
+    contact.has_turned = contact.has_turned || turns(contact);
     contact.before -= (1 - settings_.theta) * h * contact.turning;
     if (in_middle <= settings_.rest_speed) continue;
     // A contact of a body that spins fast only seems to close in the middle, if it is at rest at the start.

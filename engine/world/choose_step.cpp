@@ -27,17 +27,28 @@ double World<D>::step_length() {
   return std::min(control_.length(bodies, touching_), longest_of_springs());
 }
 
-/// For how many usual phases the error of a step acts. Where a contact turns (swings in a drum, a ball on a
-/// turntable, a rock on a crest), errors add up over a phase that nothing ends, and go on in the flight from
-/// a crest. At least 1; what hardly turns does not count.
+/// Whether a contact turns by more than a little.
+template <int D>
+bool World<D>::turns(const Contact& c) const {
+  constexpr double hardly = 0.01;  // of g
+  return c.lasts && c.turning.template head<D>().norm() > hardly * g_;
+}
+
+/// For how many usual phases the error of a step acts. Where a contact turns, errors add up over a phase that
+/// nothing ends: for as long again as it has lasted, and a while more. A swing between bodies (in a drum, a
+/// ball on a turntable, a slab on a boulder) counts from its begin; on the ground, and where the place of a
+/// rim walks, from where it has once turned by more than a little, and goes on in the flight from a crest.
 template <int D>
 double World<D>::phases_so_far() const {
-  constexpr double hardly = 0.01;     // of g
-  constexpr double usual_flight = 1;  // s, from a crest
+  constexpr double of_swing = 16, of_flight = 1;  // s
   double longest = usual_phase;
-  for (const Contact& c : contacts_)
-    if (c.lasts && c.impulse[0] > 0 && c.turning.template head<D>().norm() > hardly * g_)
-      longest = std::max(longest, c.age + usual_flight);
+  for (const Contact& c : contacts_) {
+    if (!c.lasts || c.impulse[0] <= 0) continue;
+    if (c.antagonist >= 0 && !c.walks)
+      longest = std::max(longest, c.age + of_swing);
+    else if (c.has_turned)
+      longest = std::max(longest, c.age + of_flight);
+  }
   return longest / usual_phase;
 }
 
@@ -94,7 +105,7 @@ double World<D>::sunk_rims() const {
 /// its spin times the radius) if friction and rolling resistance had the direction of the start of the step
 /// instead of its end, or the coefficients of the last step. A contact that ends at rest causes no error,
 /// because the solver finds the impulse that stops it. If the direction turns smoothly, the error is
-/// multiplied by the number of steps in half a phase, because it recurs in the other steps of the phase.
+/// multiplied by the number of steps in half of the phase so far, because it recurs in each of them.
 /// Reads after_.
 template <int D>
 std::span<const double> World<D>::doubt_of_friction(double h) {
@@ -110,7 +121,8 @@ std::span<const double> World<D>::doubt_of_friction(double h) {
     const Row& after = after_[a];
     Row half = Row::Zero();
     const auto doubt = [&](int first, int count, double impulse, const auto& change) {
-      const double times = change.norm() < smooth ? std::max(1.0, 0.5 * usual_phase / h) : 1;
+      const double times =
+          change.norm() < smooth ? std::max(1.0, 0.5 * std::max(usual_phase, contact.age) / h) : 1;
       half.segment(first, count) += 0.5 * times * impulse * change;
     };
     const auto turn = [&](int first, int count, double usual) {
@@ -146,6 +158,7 @@ std::span<const double> World<D>::doubt_of_friction(double h) {
 
 #define FLYROCK_INSTANTIATE(D)                          \
   template double World<D>::step_length();              \
+  template bool World<D>::turns(const Contact&) const;  \
   template double World<D>::phases_so_far() const;      \
   template double World<D>::fastest_breath() const;     \
   template double World<D>::longest_of_springs() const; \

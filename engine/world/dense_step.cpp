@@ -52,7 +52,8 @@ bool World<D>::can_be_dense() const {
 }
 
 /// The number of contacts of the island that has most. An island: bodies that may meet within a dense step,
-/// by their swept boxes, directly or through others; its contacts: those within reach of that step.
+/// by their swept boxes, directly or through others; its contacts: those within reach of a dense step, of the
+/// last one or, where the world is not dense yet, of one from here.
 template <int D>
 int World<D>::most_contacts_of_island() {
   constexpr std::size_t most_of_pair = D == 2 ? 2 : 4, becomes = becomes_dense;
@@ -64,12 +65,16 @@ int World<D>::most_contacts_of_island() {
     if (bodies[i].moves() && bodies[j].moves()) joined_.join(i, j);
   contacts_of_island_.assign(bodies.size(), 0);
   int most = 0;
-  see_ahead(settings_.dense_step, [&] {
+  const auto count = [&] {
     for (const Contact& c : contacts_) {
       const int mover = bodies[c.candidate].moves() ? c.candidate : c.antagonist;
       most = std::max(most, ++contacts_of_island_[joined_.island(mover)]);
     }
-  });
+  };
+  if (dense_)
+    count();
+  else
+    see_ahead(settings_.dense_step, count);
   return most;
 }
 

@@ -226,6 +226,7 @@ void World<D>::match_last() {
       contact.history = found->history;
       contact.stretch = found->stretch;
       contact.age = found->age;
+      contact.has_turned = found->has_turned;
       contact.carried = found->carried;
       contact.sticking = found->sticking;
     }

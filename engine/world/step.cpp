@@ -122,6 +122,9 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     if (chooses && refusals++ < most_refusals) {
       error = phases_so_far() * control_.error(bodies, starts_, doubt_of_friction(h), h);
       error = std::max({error, walked_ * walked_, sunk_rims()});
+      const auto lasts = [](const Contact& c) { return c.lasts; };
+      if (!control_.has_last() && std::any_of(contacts_.begin(), contacts_.end(), lasts))
+        error = std::max(error, 1.0);  // it is not known yet, and the next step must not be longer
       const double of_springs = longest_of_springs();
       const double fits = error > 1 ? StepControl<D>::shorter(h, error) : h;
       if (std::min(fits, of_springs) < h) {

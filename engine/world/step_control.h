@@ -46,6 +46,8 @@ class StepControl {
                 double longest);
   /// Velocities have jumped, or bodies have flown.
   void forget() { last_.clear(); }
+  /// Whether there is a last step, with which error() compares.
+  bool has_last() const { return !last_.empty(); }
 
  private:
   struct Mean {

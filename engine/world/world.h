@@ -56,6 +56,8 @@ struct WorldContact {
   Row before = Row::Zero();   ///< velocity at the start of the step or impact
   Row turning = Row::Zero();  ///< acceleration of its velocity by geometry alone (World::turning_of)
   bool lasts = false;         ///< it turns in a way that may go on for long (World::Turning)
+  bool walks = false;         ///< its place runs round a rim
+  bool has_turned = false;    ///< so, by more than a little, since it closed
   double mu_before = 0;       ///< coefficient of friction in the last step, if the contact is carried on
   double c_t_before = 0;      ///< N, its tangential cohesion
   Vec<D> stretch = Vec<D>::Zero();  ///< m, of the tangential spring of `penalty` at the end of the last step
@@ -371,6 +373,7 @@ class World {
 
   // choose_step.cpp: the length of a step by its error
   bool chooses_steps() const { return settings_.step_tolerance > 0; }
+  bool turns(const Contact& contact) const;
   double phases_so_far() const;
   double fastest_breath() const;
   double longest_of_springs() const;

@@ -53,7 +53,7 @@ local expect = {
 }
 if voussoirs == 21 and thick == 0.110 then
   -- The lines of thrust that fit through the joints push the foot outwards with 1786.36 to 1827.28 N: 0.613 to 0.627 of
-  -- (weight per metre) x R; 0.6218 is Heyman's arch at its limit.
+  -- (weight per metre) x R; 0.6209 is Heyman's arch at its limit.
   table.insert(expect, 3, { measure = "contact.thick_1.terrain.rt.at[0.05 s]", between = { -1827.28, -1786.36 } })
 end
 

@@ -1,0 +1,26 @@
+#include "batch/pile_cost.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace flyrock {
+
+std::string pile_cost_note(const Scenario& scenario, std::size_t bodies) {
+  constexpr double of_2d = 25e-6, of_3d = 0.13e-3;  // s, of a body and step
+  constexpr std::size_t few = 20;                   // bodies, which make no pile
+  constexpr double minute = 60;
+  if (bodies < few) return {};
+  const double steps = scenario.stop.time / scenario.solver.dense.time_step;
+  const double seconds = static_cast<double>(bodies) * steps * (scenario.dimension == 2 ? of_2d : of_3d);
+  if (seconds < minute) return {};
+  const auto runs = static_cast<double>(scenario.trials);
+  const double hours = runs * seconds / (60 * minute);
+  return fmt::format(
+      "{} bodies that may meet: if they pile up and move until stop.time, a trial takes about {:.0f} min of "
+      "processor "
+      "time{}",
+      bodies, std::ceil(seconds / minute), runs > 1 ? fmt::format(", {:.2g} h for all {}", hours, runs) : "");
+}
+
+}  // namespace flyrock
