@@ -123,8 +123,7 @@ typename World<D>::Turning World<D>::turning_of(const Contact& contact, double a
   turning.rate = contact_velocity<D>(normal, change, Space<D>::no_spin());
   turning.walks = a.rolls || b.rolls;
   if (contact.antagonist < 0 && is_plane(b)) return turning;  // a face of the ground keeps its normal
-  turning.lasts =
-      a.radius != 0 || b.radius != 0 || is_driven(contact.candidate) || is_driven(contact.antagonist);
+  turning.lasts = a.radius != 0 || b.radius != 0;
   const auto [normal_rate, over_a, over_b] = contact_motion(a, b, normal);
   Row bend;
   if constexpr (D == 2) {
@@ -138,6 +137,7 @@ typename World<D>::Turning World<D>::turning_of(const Contact& contact, double a
   constexpr double at_rest = 1e-6;  // of g: piles at rest keep their loads
   if (bend.template head<D>().norm() <= at_rest * g_) return turning;
   turning.rate += bend;
+  turning.lasts = turning.lasts || is_driven(contact.candidate) || is_driven(contact.antagonist);
   turning.bends = !turning.walks;  // the place of a rim depends on the attitude as much as on the spin
   return turning;
 }
