@@ -153,6 +153,7 @@ void World<D>::measure_before(double h) {
   // v. Those of the middle err by more in place; but what contacts work against the turn before the middle,
   // they give back after it, and a swing keeps its energy to the third order.
   constexpr double late = 0.875, middle = 0.5;
+  constexpr double hardly = 0.01;          // of g: less is no turn that counts
   touching_.assign(bodies.size(), false);  // those that collide
   walked_ = 0;
   for (Contact& contact : contacts_) {
@@ -167,7 +168,7 @@ void World<D>::measure_before(double h) {
     contact.turning = turning.rate;
     contact.lasts = turning.lasts;
     contact.walks = turning.walks;
-    contact.has_turned = contact.has_turned || turns(contact);
+    if (turning.lasts && turning.rate.template head<D>().norm() > hardly * g_) contact.has_turned = true;
     contact.before -= (1 - settings_.theta) * h * contact.turning;
     if (in_middle <= settings_.rest_speed) continue;
     // A contact of a body that spins fast only seems to close in the middle, if it is at rest at the start.

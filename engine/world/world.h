@@ -373,7 +373,6 @@ class World {
 
   // choose_step.cpp: the length of a step by its error
   bool chooses_steps() const { return settings_.step_tolerance > 0; }
-  bool turns(const Contact& contact) const;
   double phases_so_far() const;
   double fastest_breath() const;
   double longest_of_springs() const;
