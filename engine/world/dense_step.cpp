@@ -175,7 +175,7 @@ bool World<D>::ask_dense_laws(double h) {
     if (c.at.gap > slop * contact_size(c.candidate, c.antagonist)) c.law.c_n = c.law.c_t = 0;
     const double at_end = c.law.e_n * c.approach() + (h - c.touch) / h * gained_in_step_[a][0];
     c.bounces = !c.stays_apart && at_end > 0;
-    if (!c.bounces) static_cast<Restitution&>(c.law) = {};
+    if (!c.bounces) c.law.e_n = 0;
   }
   return true;
 }
