@@ -61,7 +61,7 @@ std::string scripts(const std::filesystem::path& assets) {
         "contours.js",    "map_frame.js",  "plan.js",           "maps.js",       "motion.js",  "plots.js",
         "small_plots.js", "curves.js",     "azimuth.js",        "area.js",       "tables.js",  "observed.js",
         "holes.js",       "blocks.js",     "barrier_design.js", "comparison.js", "against.js", "questions.js",
-        "cover.js",       "cover_plan.js", "report.js"})
+        "tiles.js",       "cover.js",       "cover_plan.js", "report.js"})
     joined += read_file(assets / name);
   return joined + "})();\n";
 }
