@@ -47,7 +47,9 @@ double time_of(const Plan& plan) {
 std::optional<Task> task_of(const Lab& lab) {
   const std::optional<LoadedScenario> loaded = load(lab.scenario().string(), {}, false);
   if (!loaded) return std::nullopt;
-  Task task{.trials = trials_of(loaded->plan), .time = time_of(loaded->plan)};
+  Task task;
+  task.trials = trials_of(loaded->plan);
+  task.time = time_of(loaded->plan);
   const Value* expect = loaded->plan.resolved.find("expect");
   if (!expect) return task;
   task.expect = to_json(*expect, 0);

@@ -7,6 +7,7 @@
 //   gives:
 //     27.129 body.ball.stop_time            a measure; a unit may follow the number: 2.79 ms
 //     0.71 body.block.final.vx | at: { materials.rock.friction.mu: 0.2 }
+//   run of waves --arg exponent=1          the same of another lab's scenario
 //   given 0.9 20                            numbers that the page chooses, in the text of an exercise or an
 //   estimate unchecked 1714 sweeps of a command      numbers that nothing here gives, and why
 // Whole numbers up to 12 are counts and numerators. A number of the scenario, its expectations among them,
@@ -82,6 +83,7 @@ struct Measured {
   std::string number, unit, measure, rest;
 };
 struct ScenarioRun {
+  std::string lab;  ///< empty: that of the page
   std::string options;
   std::vector<Measured> measured;
 };
@@ -108,7 +110,12 @@ Sources sources_in(const std::string& text) {
       sources.formulas.emplace_back(number, formula);
       sources.add(number);
     } else if (first == "run") {
-      sources.runs.push_back({line.substr(3), {}});
+      std::string lab, options = line.substr(3);
+      if (options.starts_with(" of ")) {
+        lab = options.substr(4, options.find(' ', 4) - 4);
+        options = options.substr(4 + lab.size());
+      }
+      sources.runs.push_back({lab, options, {}});
     } else if (first == "given") {
       while (words >> word) sources.add(word);
     } else if (first == "unchecked") {
@@ -206,8 +213,8 @@ TEST_CASE("the runs of the course give its numbers", "[slow]") {
         expect += fmt::format("{}{{ measure: \"{}\", equals: {}{}, tolerance: {}{}{} }}",
                               expect.empty() ? "" : ", ", m.measure, m.number, m.unit,
                               half_digit(m.number) * (1 + 1e-6), m.unit, m.rest);
-      const Output output = call(folder, "run " + scenario_of(stem_of(page)) + one.options +
-                                             " --set 'expect=[" + expect + "]' -o out --force");
+      const Output output = call(folder, "run " + scenario_of(one.lab.empty() ? stem_of(page) : one.lab) +
+                                             one.options + " --set 'expect=[" + expect + "]' -o out --force");
       INFO(page << ".md: run" << one.options << "\n" << output.out << output.err);
       CHECK(output.code == 0);
     }
