@@ -66,6 +66,10 @@ tilt.plot("time_s", "angle_rad", legend=False, xlabel="time in s", ylabel="tilt 
         "The speeds of the balls at the end, for e = 0.5 (point 0) and e = 1 (point 1).",
         """last = table('SELECT point, "group", vx_m_s FROM trajectories JOIN rocks USING (point, trial, rock) ORDER BY trajectories.time_s')
 last.groupby(["group", "point"]).vx_m_s.last().unstack().plot.bar(xlabel="", ylabel="v_x in m/s");"""),
+    "waves": (
+        "The forces in the long row at every fifth contact: a pulse that keeps its shape.",
+        """force = table("SELECT a, time_s, rn_N FROM series_contacts WHERE a LIKE 'forty%5' OR a LIKE 'forty%0' ORDER BY time_s")
+force.pivot_table(index="time_s", columns="a", values="rn_N").fillna(0).plot(xlabel="time in s", ylabel="force in N");"""),
     "rolling": (
         "The path of the sphere from above: a parabola, then a straight line; on the incline (point 1) it is turned downhill.",
         """path = table("SELECT point, x_m, y_m FROM series_bodies ORDER BY point, time_s")
@@ -217,7 +221,7 @@ def main():
         return check(options.check)
     options.folder.mkdir(parents=True, exist_ok=True)
     for lab in options.labs or labs():
-        ending = "lua" if lab in ("arch", "own_law") else "yaml"
+        ending = "lua" if lab in ("arch", "own_law", "waves") else "yaml"
         file = options.folder / f"{lab}.ipynb"
         file.write_text(json.dumps(notebook(lab, ending), indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
         print(file)

@@ -15,7 +15,9 @@ void add_override_options(po::options_description& options) {
       "seed", po::value<std::string>()->value_name("S"), "in place of the scenario's seed")(
       "trials", po::value<std::string>()->value_name("N"), "in place of the scenario's number of trials")(
       "arg", po::value<std::vector<std::string>>()->value_name("name=value"),
-      "a value for fr.argument(name, default) of a Lua scenario; may be given several times");
+      "a value for fr.argument(name, default) of a Lua scenario; may be given several times")(
+      "confined",
+      "refuses native plugins, and files outside of the scenario's folder: for scenarios of others");
 }
 
 Overrides overrides_of(const CommandLine& line) {
@@ -24,6 +26,7 @@ Overrides overrides_of(const CommandLine& line) {
   if (line.has("seed")) overrides.seed = whole_number(line.text("seed"), "--seed", 0);
   if (line.has("trials")) overrides.trials = whole_number(line.text("trials"), "--trials", 1);
   if (line.has("arg")) overrides.arguments = line.options["arg"].as<std::vector<std::string>>();
+  overrides.confined = line.has("confined");
   return overrides;
 }
 

@@ -397,6 +397,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     rock.has_own_inertia = shape.own.inertia.has_value();
     if (shape_is_drawn) rock.outcomes.set_shape(body);
     body.group = plan.name;
+    body.shape_type = plan.shape.plugin->spec.name;
     if (!plan.fixed && !plan.driven) {
       at_path(path + "shape", [&] { refuse_massless(body); });
       at_path(path + mass_key(plan), [&] { refuse_extremes(body); });

@@ -13,6 +13,8 @@ void bind(BoundLaw<LawKind, Answer>& bound, const std::unique_ptr<LawKind>& law,
           const std::optional<PluginUse>& use, const Scenario& scenario, const DrawKey& key) {
   if (!law) return;
   bound.law = law.get();
+  bound.use = &*use;
+  bound.reads = contact_reads(use->plugin->spec);
   bound.values = values_of(*use, scenario, key);
   bound.memory = use->plugin->spec.history.size();
   bound.per_contact = use->plugin->spec.history_of_contact;

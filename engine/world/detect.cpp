@@ -226,6 +226,8 @@ void World<D>::match_last() {
       contact.history = found->history;
       contact.stretch = found->stretch;
       contact.age = found->age;
+      contact.normal_force = found->normal_force;
+      contact.slip_length = found->slip_length;
       contact.has_turned = found->has_turned;
       contact.carried = found->carried;
       contact.sticking = found->sticking;

@@ -63,7 +63,9 @@ struct WorldContact {
   Vec<D> stretch = Vec<D>::Zero();  ///< m, of the tangential spring of `penalty` at the end of the last step
   double born = 0;                  ///< m, the overlap from which a spring counts (World::overlap_at_birth)
   double age = 0;                   ///< s since the contact closed
-  bool carried = false;             ///< true if the contact did not open in the last step
+  double normal_force = ContactState::none;  ///< N, of the last accepted step
+  double slip_length = 0;                    ///< m, slipped since it closed; kept only if a law reads it
+  bool carried = false;                      ///< true if the contact did not open in the last step
   bool sticking = false;
   double speed_scale = 0;  ///< m/s, as ContactProblem<D>::Contact
   int manifold = -1;       ///< index of the manifold among the impacts of this step; -1: no impact
@@ -329,6 +331,8 @@ class World {
   void count_impact(Contact& contact);
   void begin_manifolds();
   ContactState state_of(const Contact& contact, double h);
+  void set_shape(ContactState& state, int rock);
+  void set_partner(ContactState& state, int partner) const;
   void ask_law(Contact& contact, double h);
   void ask_laws(double h);
 

@@ -270,6 +270,8 @@ std::optional<Factory> LuaSession::native_factory(const PluginSpec& spec, const 
     diagnostics_->error(at, "native", text);
     return std::nullopt;
   };
+  if (refuses_natives_ && !builtin_)
+    return refuse("a plugin in native code, which --confined refuses: write it in Lua");
   FactoryTable own;
   std::string object = "flyrock_plugins.so";
   if (!builtin_) {

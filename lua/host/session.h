@@ -48,6 +48,9 @@ class LuaSession {
 
   const Registry& registry() const { return registry_; }
 
+  /// From here on a plugin file with `native` is an error.
+  void refuse_natives() { refuses_natives_ = true; }
+
   /// From here on `print` of Lua code writes nothing to stderr, and its lines wait to be taken.
   void collect_prints();
   PrintLog take_prints();
@@ -103,6 +106,7 @@ class LuaSession {
   const LuaFile* main_ = nullptr;
   std::optional<std::string> scenario_folder_;  // while a scenario is loaded, as shown
   bool builtin_ = false;
+  bool refuses_natives_ = false;
   int registered_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// flyrock new: what it copies is sound, and nothing is overwritten. flyrock grade.
+// flyrock new: what it copies is sound, and nothing is overwritten.
 
 #include <catch2/catch.hpp>
 #include <sstream>
@@ -50,27 +50,6 @@ TEST_CASE("new copies a scenario with the files that it names, and never over a 
   const Output wrong = call(folder, "new quarry/fence_desing");
   CHECK(wrong.code == 2);
   CHECK(wrong.err.find("did you mean `quarry/fence_design`") != std::string::npos);
-}
-
-TEST_CASE("grade judges students by the expectations of a lab") {
-  const Folder folder;
-  REQUIRE(call(folder, "new course/bouncing_ball -o good").code == 0);
-  REQUIRE(call(folder, "new course/bouncing_ball -o wrong").code == 0);
-  const std::string name = folder.has("good/bouncing_ball.lua") ? "bouncing_ball.lua" : "bouncing_ball.yaml";
-  std::string text = read(folder.path() / "wrong" / name);
-  text.replace(text.find("en: 0.5"), 7, "en: 0.4");
-  folder.write("wrong/" + name, text);
-  folder.write("empty.yaml", "flyrock: 1\n");
-  CHECK(call(folder, "grade good/" + name + " --with bouncing_ball").code == 0);
-  CHECK(call(folder, "grade wrong/" + name + " --with bouncing_ball").code == 1);
-  CHECK(call(folder, "grade empty.yaml --with bouncing_ball").code == 2);
-  const Output all =
-      call(folder, "grade good/" + name + " wrong/" + name + " empty.yaml --with bouncing_ball");
-  CHECK(all.code == 1);
-  CHECK(all.out.starts_with("student,result,held,expectations\ngood/" + name + ",passed,"));
-  CHECK(all.out.find("\nwrong/" + name + ",failed,") != std::string::npos);
-  CHECK(all.out.find("\nempty.yaml,error,0,0\n") != std::string::npos);
-  CHECK(call(folder, "grade good/" + name + " --with bouncing_bal").code == 2);
 }
 
 }  // namespace flyrock::new_test
