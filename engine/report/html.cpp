@@ -120,4 +120,17 @@ std::string escaped(std::string text) {
   return replace_all(replace_all(replace_all(std::move(text), "&", "&amp;"), "<", "&lt;"), ">", "&gt;");
 }
 
+std::string escaped_words(std::string text) {
+  std::string words = escaped(std::move(text));
+  bool opens = true;
+  for (std::size_t at = 0; (at = words.find('`', at)) != std::string::npos; opens = !opens)
+    words.replace(at, 1, opens ? "<code>" : "</code>");
+  return words;
+}
+
+std::string without_backticks(std::string text) {
+  std::erase(text, '`');
+  return text;
+}
+
 }  // namespace flyrock
