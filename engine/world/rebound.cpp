@@ -55,7 +55,7 @@ void World<D>::apply_spring(int a, double h) {
   set_spring<D>(spring, overlap, stretch, h, problem_, a, rebounds_[a]);
 }
 
-/// A dense problem of many contacts has few sweeps, unless what they leave would sink a body by a notable
+/// A dense problem has few sweeps, unless what they leave would sink a body by a notable
 /// share of its size within the step: then ten times as many.
 template <int D>
 SolveResult World<D>::solve() {
@@ -68,9 +68,7 @@ SolveResult World<D>::solve() {
   wanted.max_iterations = dense_ ? settings_.dense_iterations : settings_.max_iterations;
   wanted.solver = settings_.solver;
   if (!dense_) return solver_.solve(problem_, rebounds_, wanted, impulses_);
-  if (contacts_.size() <= most_of_newton)
-    wanted.max_iterations = settings_.max_iterations;
-  else if (wanted.solver == SolverKind::automatic)
+  if (contacts_.size() > most_of_newton && wanted.solver == SolverKind::automatic)
     wanted.solver = SolverKind::nlgs;
   free_of_contacts_.clear();
   for (const auto& contact : problem_.contacts) free_of_contacts_.push_back(contact.q);
