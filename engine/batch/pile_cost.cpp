@@ -14,13 +14,13 @@ std::string pile_cost_note(const Scenario& scenario, std::size_t bodies) {
   const double steps = scenario.stop.time / scenario.solver.dense.time_step;
   const double seconds = static_cast<double>(bodies) * steps * (scenario.dimension == 2 ? of_2d : of_3d);
   if (seconds < minute) return {};
-  const auto runs = static_cast<double>(scenario.trials);
-  const double hours = runs * seconds / (60 * minute);
+  const double hours = static_cast<double>(scenario.trials) * seconds / (60 * minute);
+  const std::string of_all =
+      scenario.trials > 1 ? fmt::format(", {:.2g} h for all {}", hours, scenario.trials) : "";
   return fmt::format(
-      "{} bodies that may meet: if they pile up and move until stop.time, a trial takes about {:.0f} min of "
-      "processor "
-      "time{}",
-      bodies, std::ceil(seconds / minute), runs > 1 ? fmt::format(", {:.2g} h for all {}", hours, runs) : "");
+      "{} bodies that may meet: if they pile up and move until stop.time, a trial takes about "
+      "{:.0f} min of processor time{}",
+      bodies, std::ceil(seconds / minute), of_all);
 }
 
 }  // namespace flyrock

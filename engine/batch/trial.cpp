@@ -19,6 +19,7 @@
 #include "flight/decided.h"
 #include "flight/point_run.h"
 #include "flight/run.h"
+#include "flight/settle.h"
 #include "solver/fclib.h"
 #include "trial/blast_at.h"
 #include "trial/dimensions.h"
@@ -316,7 +317,13 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
     }
     if (stores) add_fixtures(number, world, out);
     if (explainer) explainer->watch(world, names_of(scenario_, trial, static_cast<int>(w)), settings);
+    histories[w].resize(world.bodies.size());  // also of a world that does not settle
     try {
+      if (scenario_.settle)
+        settle<D>(world, {.until = scenario_.settle->until,
+                          .at_most = scenario_.settle->at_most,
+                          .watch = watch,
+                          .interrupted = interrupted});
       flyrock::run(world, settings, histories[w]);
     } catch (const TrialError& error) {
       faults[w] = {error.what(), reason_of(error)};

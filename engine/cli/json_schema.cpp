@@ -309,12 +309,15 @@ Json DocumentSchema::shape(bool of_table) {
                        plugin(PluginKind::shape, {}, "", std::move(others)));
 }
 
+/// A shape, or the name of one of `shapes`.
+Json or_name(Json shape) { return {{"anyOf", Json::array({std::move(shape), SchemaValues::some_text()})}}; }
+
 Json DocumentSchema::rocks() {
   Keys group = section("rocks", [](const std::string& key) { return key != "weight"; });
   group.add("columns", section("rocks.columns").object());
   for (const char* key : {"rows", "holes"}) group.add(key, array_of(name_or_number(), 1));
   group.add("air", {{"anyOf", Json::array({Json{{"const", "none"}}, section("air", all_vary).object()})}});
-  group.add("shape", shape(true));
+  group.add("shape", or_name(shape(true)));
   group.add("release", release());
   group.add("launch", swept_section("launch", plugin(PluginKind::velocity)));
   group.add("launch_by_size", section("rocks.launch_by_size", all_vary).object());
@@ -335,7 +338,7 @@ Json DocumentSchema::rocks() {
 Json DocumentSchema::bodies() {
   Keys keys = section("bodies", all_vary);
   keys.add("driven", section("bodies.driven").object());
-  keys.add("shape", shape(false), true);
+  keys.add("shape", or_name(shape(false)), true);
   if (dimension_ == 3) keys.add("orientation", turn());
   Json body = keys.object();
   Json fixed = {{"properties", {{"fixed", {{"const", true}}}}}, {"required", Json::array({"fixed"})}};
@@ -436,6 +439,9 @@ Json DocumentSchema::document() {
   add("pairs", false, [&] { return pairs(); });
   add("blast", false, [&] { return blast(); });
   add("branches", false, [&] { return branches(); });
+  add("shapes", false, [&] {
+    return Json{{"type", "object"}, {"additionalProperties", plugin(PluginKind::shape)}};
+  });
   add("rocks", false, [&] { return rocks(); });
   add("bodies", false, [&] { return bodies(); });
   add("barriers", false, [&] { return places("barriers", "x"); });
@@ -456,6 +462,7 @@ Json DocumentSchema::document() {
   });
   add("observed", false, [&] { return observed(); });
   plain("solver");
+  plain("settle");
   add("stop", true, [&] { return section("stop").object(); });
   add("output", false, [&] { return output(); });
   add("sweep", false, [&] {

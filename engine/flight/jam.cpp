@@ -7,6 +7,14 @@
 
 namespace flyrock {
 
+template <int D>
+void ProgressWatch::begin(const World<D>& world) {
+  marked_time_ = time_ = world.time;
+  problems_ = world.quality().problems;
+  of_solver_ = world.solver_work();
+  searches_ = world.quality().toc_iterations;
+}
+
 /// The work of a world since it was last looked at.
 template <int D>
 double ProgressWatch::work_since(const World<D>& world) {
@@ -53,6 +61,8 @@ std::string ProgressWatch::fault() const {
          " steps: the contacts of this rock cannot all hold at once";
 }
 
+template void ProgressWatch::begin(const World<2>&);
+template void ProgressWatch::begin(const World<3>&);
 template bool ProgressWatch::stands_still(const World<2>&);
 template bool ProgressWatch::stands_still(const World<3>&);
 

@@ -28,6 +28,9 @@ class ProgressWatch {
   /// tenth of `most_work`.
   static constexpr double repaid_by_step = 2'000, repaid_by_time = 20'000;
 
+  /// Counts from the present work of a world on, which may have run before.
+  template <int D>
+  void begin(const World<D>& world);
   /// Call after each flight, step and impact. Returns whether the limits are reached.
   template <int D>
   bool stands_still(const World<D>& world);

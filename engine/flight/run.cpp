@@ -59,7 +59,9 @@ class Runner {
   void run() {
     world_.on_hit = [this] { hit(); };
     if (settings_.series) series_.emplace(world_, *settings_.series);
-    const double energy = world_.total_energy();
+    release_held();
+    energy_ = world_.total_energy();
+    progress_.begin(world_);
     world_.choose_density();
     bool in_contact = settings_.exact_flight && collide();
     while (anybody() && world_.time < settings_.stop_time) {
@@ -72,6 +74,7 @@ class Runner {
       const double before = world_.time;
       const bool flies = settings_.exact_flight && !in_contact && !breathes_ && !world_.is_dense();
       in_contact = flies ? fly() : step();
+      release_held();
       look_for_jam();
       end_bodies();
       // Bodies in contact touch again and again and time does not advance: advance by one short step that
@@ -88,8 +91,8 @@ class Runner {
     }
     for (int i = 0; i < bodies(); ++i)
       if (running_[i]) end(i, at_rest(i) ? StopReason::stopped : StopReason::timed_out);
-    const double change = world_.total_energy() - energy;
-    world_.quality().energy_relative_change = energy != 0 ? change / std::abs(energy) : change;
+    const double change = world_.total_energy() - energy_;
+    world_.quality().energy_relative_change = energy_ != 0 ? change / std::abs(energy_) : change;
   }
 
  private:
@@ -131,7 +134,33 @@ class Runner {
     watch.bodies = bodies();
   }
   bool at_rest(int i) const { return !std::isnan(histories_[i].stop_time); }
-  double time_left() const { return settings_.stop_time - world_.time; }
+  /// Without air and contacts [m/s2].
+  Vec<D> steady_acceleration(const Body<D>& body) const { return world_.gravity() + body.load; }
+
+  /// Until the end of the run, or until a body is held no longer [s].
+  double time_left() const {
+    double end = settings_.stop_time;
+    for (const Body<D>& body : world_.bodies)
+      if (body.hold && !world_.settling) end = std::min(end, body.hold->until);
+    return end - world_.time;
+  }
+
+  /// Bodies that are held no longer bring their energy with them, and are not at rest yet.
+  void release_held() {
+    if (world_.settling) return;
+    bool any = false;
+    for (int i = 0; i < bodies(); ++i) {
+      const auto& hold = world_.bodies[i].hold;
+      if (!hold || hold->until > world_.time) continue;
+      rest_[i].moves();
+      any = true;
+    }
+    if (!any) return;
+    const double before = world_.total_energy();
+    world_.release_held();
+    energy_ += world_.total_energy() - before;
+    faults_.begin_anew();
+  }
 
   void end(int body, StopReason reason) {
     running_[body] = false;
@@ -216,13 +245,13 @@ class Runner {
     if (!in_air_) return jump(time_left());
     double leg = time_left();
     for (const Body<D>& body : world_.bodies)
-      if (body.moves()) leg = std::min(leg, leg_length(body.air, body.v, world_.gravity()));
+      if (body.moves()) leg = std::min(leg, leg_length(body.air, body.v, steady_acceleration(body)));
     accelerations_.clear();
     for (const Body<D>& body : world_.bodies)
-      accelerations_.push_back(leg_accelerations(body.air, body.v, world_.gravity(), leg));
+      accelerations_.push_back(leg_accelerations(body.air, body.v, steady_acceleration(body), leg));
     for (const int half : {0, 1}) {
       for (int i = 0; i < bodies(); ++i)
-        if (world_.bodies[i].moves()) world_.bodies[i].push = accelerations_[i][half];
+        if (world_.bodies[i].moves()) world_.bodies[i].push = world_.bodies[i].load + accelerations_[i][half];
       const double begin = world_.time;
       if (jump(0.5 * leg)) return true;
       if (world_.time - begin < 0.499 * leg) break;  // the jump ended early
@@ -333,7 +362,8 @@ class Runner {
     const double h = time_left() < wanted * (1 + 1e-9) ? time_left() : wanted;
     if (in_air_)
       for (Body<D>& body : world_.bodies)
-        if (body.moves()) body.push = mean_acceleration(body.air, body.v, world_.gravity(), h);
+        if (body.moves())
+          body.push = body.load + mean_acceleration(body.air, body.v, steady_acceleration(body), h);
     const bool cut = touches != Touches::none && settings_.exact_flight;
     const auto outcome = world_.step(h, cut, touches == Touches::of_new_pairs);
     if (series_) series_->stepped(outcome.duration);
@@ -447,10 +477,12 @@ class Runner {
   }
 
   /// Ends bodies that have come to rest, left the terrain or diverged. In a world of several bodies, a body
-  /// at rest may be hit again. Therefore all bodies must be at rest, and no driven body may move.
+  /// at rest may be hit again. Therefore all bodies must be at rest, no driven body may move, and none may be
+  /// held until a time within the run.
   void end_bodies() {
     const Domain<D> domain = domain_of(world_.terrain());
-    bool all_at_rest = std::none_of(world_.bodies.begin(), world_.bodies.end(), [](const Body<D>& body) {
+    bool all_at_rest = std::none_of(world_.bodies.begin(), world_.bodies.end(), [&](const Body<D>& body) {
+      if (body.hold) return !world_.settling && body.hold->until < settings_.stop_time;
       return body.kind == BodyKind::driven &&
              (body.v.norm() > 0 || body.spin_speed() > 0 || body.push.norm() > 0);
     });
@@ -467,7 +499,7 @@ class Runner {
         faults_.take(faults_.energy_of(i));
         leave(i, StopReason::left_domain);
       }
-      if (running_[i]) all_at_rest = all_at_rest && at_rest(i);
+      if (running_[i]) all_at_rest = all_at_rest && (at_rest(i) || body.hold);
     }
     if (const auto fault = faults_.energy_from_nowhere()) diverge(*fault);
     if (!all_at_rest) return;
@@ -498,6 +530,7 @@ class Runner {
   std::vector<int> parts_;                            ///< of one body near the ground
   std::vector<std::pair<int, int>> part_pairs_;       ///< of two bodies near each other
   double blind_ = 0, blind_until_ = 0;                ///< s, the last step that ignored touches and its end
+  double energy_ = 0;                                 ///< J, at the start, of bodies held until later too
   int stalled_ = 0;
   unsigned reported_ = 0;
 };

@@ -69,6 +69,10 @@ class DocumentDecoder {
     }
     if (const auto observed = root_.find("observed")) decode_measured(*observed);
     scenario_.solver = decode_solver(context_, *root_.find("solver"));
+    if (const auto settle = root_.find("settle")) {
+      scenario_.settle = decode_settle(context_, *settle);
+      check_settle(*settle);
+    }
     if (const auto stop = root_.find("stop")) scenario_.stop = decode_stop(context_, *stop);
     scenario_.output = decode_output(context_, *root_.find("output"), names_for_series());
     if (scenario_.observed && !scenario_.output.rocks)
@@ -141,6 +145,23 @@ class DocumentDecoder {
                "belongs to `nscd` and `lumped_mass`; `ballistic` flies rocks to the first ground they meet");
   }
 
+  /// Bodies settle on each other.
+  void check_settle(const Node& settle) {
+    if (scenario_.method != Method::nscd)
+      settle.error(context_.diagnostics, "needs the method `nscd`");
+    else if (!root_.find("bodies") && !scenario_.rock_contacts)
+      settle.error(context_.diagnostics, "needs `bodies`, or `rock_contacts: on`");
+  }
+
+  /// Points take neither forces nor holds.
+  void check_bodies_of_points(const Node& bodies) {
+    if (scenario_.method == Method::nscd) return;
+    for (const Node& body : bodies.items())
+      for (const char* key : {"force", "hold"})
+        if (const auto node = find_given(body, key))
+          node->error(context_.diagnostics, "needs the method `nscd`");
+  }
+
   /// The names of bodies or groups; none if one of them has no name, which is an error.
   std::vector<std::string> names_for_series() const {
     const auto list = root_.find(root_.find("bodies") ? "bodies" : "rocks");
@@ -175,6 +196,7 @@ class DocumentDecoder {
     }
     if (bodies) {
       scenario_.bodies = decode_bodies(context_, *bodies, scenario_.materials);
+      check_bodies_of_points(*bodies);
       auto is_free = [](const BodyPlan& body) { return !body.fixed && !body.driven; };
       check_materials(*bodies, scenario_.bodies, 1, [&](const BodyPlan& a, const BodyPlan& b) {
         return scenario_.method == Method::nscd && scenario_.body_contacts && (is_free(a) || is_free(b));

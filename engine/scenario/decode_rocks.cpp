@@ -109,6 +109,11 @@ BodyPlan decode_body(DecodeContext& context, const Node& node, const std::vector
       kept.acceleration.push_back(component.constant);
     if (body.fixed) driven->error(context.diagnostics, "a body is either `fixed` or `driven`");
   }
+  if (section.given("force")) body.force = section.vector("force");
+  if (section.given("hold")) body.hold = section.number("hold");
+  for (const char* key : {"force", "hold"})
+    if (section.given(key) && (body.fixed || body.driven))
+      node.find(key)->error(context.diagnostics, "is for a body that is neither `fixed` nor `driven`");
   body.density = section.optional_number("density");
   body.mass = section.optional_number("mass");
   body.position = section.vector("position");

@@ -49,6 +49,11 @@ StopPlan decode_stop(DecodeContext& context, const Node& node) {
   return {section.constant("time"), section.constant("speed")};
 }
 
+SettlePlan decode_settle(DecodeContext& context, const Node& node) {
+  const Section section = decode_section(context, node, "settle");
+  return {.until = section.constant("until"), .at_most = section.constant("at_most")};
+}
+
 SeriesPlan decode_series(DecodeContext& context, const Node& node, const std::vector<std::string>& names) {
   const Section section = decode_section(context, node, "output.series");
   SeriesPlan plan;

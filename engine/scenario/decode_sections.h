@@ -111,6 +111,7 @@ AirPlan decode_air(DecodeContext& context, const Node& node);
 
 SolverPlan decode_solver(DecodeContext& context, const Node& node);
 StopPlan decode_stop(DecodeContext& context, const Node& node);
+SettlePlan decode_settle(DecodeContext& context, const Node& node);
 /// `names`: of the bodies or of the groups of rocks; none if they have errors.
 OutputPlan decode_output(DecodeContext& context, const Node& node, const std::vector<std::string>& names);
 

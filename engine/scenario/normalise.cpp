@@ -48,6 +48,7 @@ class Normaliser {
     put_part("pairs", false, [&](const Node& node) { return normalise_pairs(context_, node); });
     put_part("blast", false, [&](const Node& node) { return blast(node); });
     put_part("branches", false, [&](const Node& node) { return normalise_branches(context_, node); });
+    read_shapes();
     put_part("rocks", false, [&](const Node& node) { return normalise_rocks(context_, node); });
     put_part("bodies", false, [&](const Node& node) { return normalise_bodies(context_, node); });
     if (!root_.find("rocks") && !root_.find("bodies"))
@@ -63,6 +64,7 @@ class Normaliser {
     put_part("observed", false, [&](const Node& node) { return observed(node); });
     put_part_or_default("solver",
                         [&](const auto& node) { return normalise_section(context_, node, "solver", {}); });
+    section("settle", {});
     put_part("stop", true, [&](const Node& node) { return normalise_section(context_, node, "stop", {}); });
     put_part_or_default("output", [&](const auto& node) { return output(node); });
     put_part("sweep", false, [&](const Node& node) { return sweep(node); });
@@ -83,6 +85,17 @@ class Normaliser {
     Value section = normalise_section(context_, node, "sweep", {});
     if (const auto rows = node.find("rows"); rows && section.map()) put(*section.map(), *rows, *rows->value);
     return section;
+  }
+
+  /// The shapes that groups and bodies name. They take their place in the normalised tree.
+  void read_shapes() {
+    const std::optional<Node> shapes = root_.find("shapes");
+    if (!shapes || !shapes->expect_map(diagnostics_)) return;
+    for (const Node& shape : shapes->entries()) {
+      Value use = root_.find("bodies") ? normalise_shape_of_bodies(context_, shape)
+                                       : normalise_shape_of_rocks(context_, shape);
+      context_.shapes.emplace(shape.key, std::move(use));
+    }
   }
 
   /// Places in plan have two coordinates, in 3D too.

@@ -19,6 +19,9 @@ Value normalise_terrain(DecodeContext& context, const Node& node);
 Value normalise_pairs(DecodeContext& context, const Node& node);
 Value normalise_rocks(DecodeContext& context, const Node& list);
 Value normalise_bodies(DecodeContext& context, const Node& list);
+/// One of the shapes of the document.
+Value normalise_shape_of_rocks(DecodeContext& context, const Node& node);
+Value normalise_shape_of_bodies(DecodeContext& context, const Node& node);
 Value normalise_expectations(DecodeContext& context, const Node& node, const MeasureNames& names);
 Value normalise_answer(DecodeContext& context, const Node& node, const MeasureNames& names);
 /// What a measure is compared with: a number in its unit.

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "document/wording.h"
 #include "scenario/normalise.h"
 #include "scenario/normalise_shapes.h"
 
@@ -99,13 +100,27 @@ void check_counting_key(DecodeContext& context, const Node& node, bool is_indepe
                     default_population));
 }
 
+/// A shape of the document, by its name, or one of a plugin.
+void put_named_or_plugin(DecodeContext& context, Map& map, const Node& parent, const NumberRules& rules) {
+  const std::optional<Node> shape = parent.find("shape");
+  const std::string* name = shape ? shape->value->text() : nullptr;
+  if (!name) return put_plugin(context, map, parent, "shape", PluginKind::shape, rules);
+  const auto found = context.shapes.find(*name);
+  if (found != context.shapes.end()) return put(map, *shape, found->second);
+  std::vector<std::string> names;
+  for (const auto& [known, use] : context.shapes) names.push_back(known);
+  shape->error(context.diagnostics,
+               fmt::format("`shapes` has no `{}`{}: expected its name, or a shape {{ type, ... }}", *name,
+                           suggestion(*name, names)));
+}
+
 /// The form of the lengths of a table, or a shape of a plugin.
 void put_shape(DecodeContext& context, Map& group, const Node& node) {
   const std::optional<Node> shape = node.find("shape");
   if (!shape) return;
   const Value* type = shape->value->find("type");
   if (!type || !type->text() || *type->text() != from_lengths)
-    return put_plugin(context, group, node, "shape", PluginKind::shape, rock_rules);
+    return put_named_or_plugin(context, group, node, rock_rules);
   Value form = normalise_section(context, *shape, "rocks.shape: from_lengths", {});
   if (Map* keys = form.map()) keys->insert(keys->begin(), Entry{"type", type->at, *type});
   if (!node.find("table"))
@@ -190,7 +205,7 @@ Value normalise_body(DecodeContext& context, const Node& node) {
   const bool* fixed = body.find("fixed")->boolean();
   check_mass(context, node, driven || (fixed && *fixed));
   put_turn(context, *body.map(), node, body_rules);
-  put_plugin(context, *body.map(), node, "shape", PluginKind::shape, body_rules);
+  put_named_or_plugin(context, *body.map(), node, body_rules);
   if (!node.find("shape")) context.diagnostics.error(node.key_at, node.path, "`shape` is missing");
   return body;
 }
@@ -214,6 +229,14 @@ std::string section_of_release(const Node& key, int dimension) {
   if (dimension == 2 || key.key == "from" || key.key == "position") return name;
   if (key.key == "along" || key.key == "inside") return is_in_plan(key) ? name + " plan 3D" : name;
   return name + " 3D";
+}
+
+Value normalise_shape_of_rocks(DecodeContext& context, const Node& node) {
+  return normalise_plugin(context, node, PluginKind::shape, rock_rules);
+}
+
+Value normalise_shape_of_bodies(DecodeContext& context, const Node& node) {
+  return normalise_plugin(context, node, PluginKind::shape, body_rules);
 }
 
 Value normalise_rocks(DecodeContext& context, const Node& list) {

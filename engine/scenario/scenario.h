@@ -219,6 +219,8 @@ struct BodyPlan {
     std::vector<double> velocity, spin, acceleration;
   };
   std::optional<Driven> driven;
+  std::vector<Number> force;   ///< N; empty: none
+  std::optional<Number> hold;  ///< s; absent: it is not held
   int material = -1;
 };
 
@@ -350,6 +352,12 @@ struct StopPlan {
   double speed = 0.05;  ///< m/s
 };
 
+/// How bodies settle before time 0 (flight/settle.h).
+struct SettlePlan {
+  double until = 0;    ///< m/s
+  double at_most = 0;  ///< s
+};
+
 /// Rows over time (world/series.h).
 struct SeriesPlan {
   std::vector<std::string> bodies;  ///< bodies or groups of rocks; empty: all
@@ -461,6 +469,7 @@ struct Scenario {
   std::vector<ExposurePlan> exposures;
   std::optional<ObservedPlan> observed;  ///< absent: nothing is compared
   SolverPlan solver;
+  std::optional<SettlePlan> settle;  ///< absent: bodies start as they are placed
   StopPlan stop;
   OutputPlan output;
   std::vector<Expectation> expect;

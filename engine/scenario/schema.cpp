@@ -104,9 +104,10 @@ SectionSpec document() {
            or_else(choice("rock_contacts", {"off", "on"}, "on: rocks also meet each other"), "off"),
            or_else(choice("body_contacts", {"on", "off"}, "off: bodies meet the terrain only"), "on"),
            or_else(at_most(at_least(number("gravity", "m/s2", "along -y in 2D, -z in 3D"), 0), 1000), 9.81)},
-          {"document", "include", "plugins", "air",      "terrain", "materials", "pairs",     "blast",
-           "branches", "rocks",   "bodies",  "barriers", "gates",   "forest",    "clearance", "exposure",
-           "observed", "solver",  "stop",    "output",   "sweep",   "expect",    "answer"}};
+          {"document",  "include",  "plugins",  "air",    "terrain",  "materials", "pairs",
+           "blast",     "branches", "rocks",    "bodies", "barriers", "gates",     "forest",
+           "clearance", "exposure", "observed", "solver", "stop",     "output",    "sweep",
+           "expect",    "answer",   "settle",   "shapes"}};
 }
 
 /// Of a terrain.
@@ -122,6 +123,12 @@ ParamSpec bearing(const std::string& doc) {
   return at_most(
       at_least(optional(number("bearing", "rad", doc + ", clockwise from north; or `azimuth`")), -2 * pi),
       2 * pi);
+}
+
+/// Of a body that forces move.
+ParamSpec force_on_body() { return optional(vector("force", "N", "constant, at the centre of mass")); }
+ParamSpec hold_of_body() {
+  return at_least(optional(number("hold", "s", "until when it stands; it then has its velocity")), 0);
 }
 
 /// The fields of the blast below `prefix` ("" or "hole."), from the table that velocity models also use.
@@ -471,14 +478,16 @@ std::vector<SectionSpec> make_sections() {
                usually(or_else(number("spin", "rad/s", "counter-clockwise"), 0.0), usual::spin),
                or_else(number("orientation", "rad", "counter-clockwise"), 0.0),
                boolean("fixed", false, "whether it never moves"),
-               optional(text("material", "shown to other bodies, where `pairs` is silent"))}),
+               optional(text("material", "shown to other bodies, where `pairs` is silent")), force_on_body(),
+               hold_of_body()}),
        {"shape", "driven"}},
       {"bodies 3D",
        joined(joined({text("name", "of the body")}, mass_keys()),
               {vector("position", "m", "of the centre of mass"),
                usually(optional(vector("velocity", "m/s", "at rest where it is not given")), usual::launch),
                spin("components in the world frame"), boolean("fixed", false, "whether it never moves"),
-               optional(text("material", "shown to other bodies, where `pairs` is silent"))}),
+               optional(text("material", "shown to other bodies, where `pairs` is silent")), force_on_body(),
+               hold_of_body()}),
        {"shape", "orientation", "driven"}},
       {"bodies.driven",
        {vector("velocity", "m/s", "at the start, and for all time without `acceleration`"),
@@ -602,6 +611,10 @@ std::vector<SectionSpec> make_sections() {
       {"stop",
        {usually(at_most(above(number("time", "s", "end of a trial"), 0), 1e5), usual::stop_time),
         or_else(at_least(number("speed", "m/s", "below which a rock is at rest; 0 never"), 0), 0.05)},
+       {}},
+      {"settle",
+       {above(number("until", "m/s", "below which a body is at rest"), 0),
+        at_most(above(number("at_most", "s", "before time 0"), 0), 1e5)},
        {}},
       {"output",
        {boolean("rocks", true, "whether every rock has its rows; else only the first ones"),

@@ -421,6 +421,14 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
       body.air = air_of(*scenario_.air, "air", body, rock.key);
     rock.launch_speed = body.v.norm();
     if (rock.launch_speed > 0) rock.launch_elevation = elevation_of(body.v, Vec3::UnitX());
+    for (std::size_t k = 0; k < plan.force.size(); ++k)
+      body.load[static_cast<int>(k)] = value(plan.force[k]) / body.mass;
+    if (body.kind == BodyKind::dynamic) body.push = body.load;
+    if (plan.hold) {
+      body.hold = {.until = value(*plan.hold), .v = body.v, .w = body.w};
+      body.v.setZero();
+      body.w = Space<D>::no_spin();
+    }
     rock.world = 0;
     rock.body = world.add(std::move(body));
     partners.push_back({plan.name, plan.material, rock.key});

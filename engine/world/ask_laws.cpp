@@ -106,7 +106,7 @@ ContactState World<D>::state_of(const Contact& contact, double h) {
   state.age = contact.age;
   state.was_sticking = contact.sticking;
   state.impact_number = contact.manifold >= 0 ? contact.impact_number : body.impacts;
-  state.time = time;
+  state.time = settling ? 0 : time;
   state.step = h;
   state.dimension = D;
   state.normal = Vec3::Zero();
@@ -167,11 +167,12 @@ void World<D>::ask_law(Contact& contact, double h) {
   if (impact) laws->begin_impact(contact.impact_number, contact.rock == contact.antagonist);
   if (const ContactLaw* known = impact ? nullptr : laws->known()) {
     contact.law = *known;
-    return;
+  } else {
+    ContactState state;
+    if (laws->reads_state()) state = state_of(contact, h);
+    contact.law = laws->ask(state, impact, contact.history);
   }
-  ContactState state;
-  if (laws->reads_state()) state = state_of(contact, h);
-  contact.law = laws->ask(state, impact, contact.history);
+  if (settling) static_cast<Restitution&>(contact.law) = {};
 }
 
 /// Impacts come first, because a resting contact uses the values that were drawn for the last impact of its

@@ -123,8 +123,7 @@ typename World<D>::Turning World<D>::turning_of(const Contact& contact, double a
   turning.rate = contact_velocity<D>(normal, change, Space<D>::no_spin());
   turning.walks = a.rolls || b.rolls;
   if (contact.antagonist < 0 && is_plane(b)) return turning;  // a face of the ground keeps its normal
-  turning.lasts =
-      a.radius != 0 || b.radius != 0 || is_driven(contact.candidate) || is_driven(contact.antagonist);
+  turning.lasts = a.radius != 0 || b.radius != 0;
   const auto [normal_rate, over_a, over_b] = contact_motion(a, b, normal);
   Row bend;
   if constexpr (D == 2) {
@@ -138,6 +137,7 @@ typename World<D>::Turning World<D>::turning_of(const Contact& contact, double a
   constexpr double at_rest = 1e-6;  // of g: piles at rest keep their loads
   if (bend.template head<D>().norm() <= at_rest * g_) return turning;
   turning.rate += bend;
+  turning.lasts = turning.lasts || is_driven(contact.candidate) || is_driven(contact.antagonist);
   turning.bends = !turning.walks;  // the place of a rim depends on the attitude as much as on the spin
   return turning;
 }
@@ -153,6 +153,7 @@ void World<D>::measure_before(double h) {
   // v. Those of the middle err by more in place; but what contacts work against the turn before the middle,
   // they give back after it, and a swing keeps its energy to the third order.
   constexpr double late = 0.875, middle = 0.5;
+  constexpr double hardly = 0.01;          // of g: less is no turn that counts
   touching_.assign(bodies.size(), false);  // those that collide
   walked_ = 0;
   for (Contact& contact : contacts_) {
@@ -167,7 +168,7 @@ void World<D>::measure_before(double h) {
     contact.turning = turning.rate;
     contact.lasts = turning.lasts;
     contact.walks = turning.walks;
-    contact.has_turned = contact.has_turned || turns(contact);
+    if (turning.lasts && turning.rate.template head<D>().norm() > hardly * g_) contact.has_turned = true;
     contact.before -= (1 - settings_.theta) * h * contact.turning;
     if (in_middle <= settings_.rest_speed) continue;
     // A contact of a body that spins fast only seems to close in the middle, if it is at rest at the start.

@@ -2,6 +2,7 @@
 // A rigid body.
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -92,12 +93,23 @@ struct Body {
   Breathing breathing;  ///< of a pneumatic disk; of a rigid body mass 0
 
   Air<D> air;  ///< the air around the body
-  /// m/s2, acceleration by the air in the current flight or step; of a driven body the given one
+  /// m/s2, acceleration by the air in the current flight or step, and by `load`; of a driven body the given
+  /// one
   Vec<D> push = Vec<D>::Zero();
 
   int impacts = 0;  ///< manifolds that closed faster than rest_speed
 
-  bool moves() const { return kind == BodyKind::dynamic && present; }
+  Vec<D> load = Vec<D>::Zero();  ///< m/s2, acceleration by the force that the scenario gives; part of `push`
+
+  /// A body that stands until a time, and then has these velocities.
+  struct Hold {
+    double until = 0;  ///< s
+    Vec<D> v = Vec<D>::Zero();
+    Spin w = Space<D>::no_spin();
+  };
+  std::optional<Hold> hold;  ///< empty: it is not held, or not any more
+
+  bool moves() const { return kind == BodyKind::dynamic && present && !hold; }
   /// m/s2, without contacts.
   Vec<D> acceleration(const Vec<D>& gravity) const {
     if (moves()) return gravity + push;

@@ -27,13 +27,6 @@ double World<D>::step_length() {
   return std::min(control_.length(bodies, touching_), longest_of_springs());
 }
 
-/// Whether a contact turns by more than a little.
-template <int D>
-bool World<D>::turns(const Contact& c) const {
-  constexpr double hardly = 0.01;  // of g
-  return c.lasts && c.turning.template head<D>().norm() > hardly * g_;
-}
-
 /// For how many usual phases the error of a step acts. Where a contact turns, errors add up over a phase that
 /// nothing ends: for as long again as it has lasted, and a while more. A swing between bodies (in a drum, a
 /// ball on a turntable, a slab on a boulder) counts from its begin; on the ground, and where the place of a
@@ -158,7 +151,6 @@ std::span<const double> World<D>::doubt_of_friction(double h) {
 
 #define FLYROCK_INSTANTIATE(D)                          \
   template double World<D>::step_length();              \
-  template bool World<D>::turns(const Contact&) const;  \
   template double World<D>::phases_so_far() const;      \
   template double World<D>::fastest_breath() const;     \
   template double World<D>::longest_of_springs() const; \

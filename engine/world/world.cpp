@@ -2,6 +2,8 @@
 
 #include "world/world.h"
 
+#include <algorithm>
+
 #include "solver/spring.h"
 #include "world/manifold.h"
 
@@ -18,6 +20,7 @@ World<D>::World(const Terrain& terrain, const Vec<D>& gravity, const WorldSettin
 
 template <int D>
 int World<D>::add(Body<D> body) {
+  g_ = std::max(g_, (gravity_ + body.load).norm());
   bodies.push_back(std::move(body));
   terrain_laws_.emplace_back(parts_of(*terrain_).size(), nullptr);
   pair_laws_.emplace_back();
@@ -25,6 +28,17 @@ int World<D>::add(Body<D> body) {
   contacts_of_.emplace_back();
   unsolved_.emplace_back();
   return static_cast<int>(bodies.size()) - 1;
+}
+
+template <int D>
+void World<D>::release_held() {
+  for (Body<D>& body : bodies) {
+    if (!body.hold || body.hold->until > time) continue;
+    body.v = body.hold->v;
+    body.w = body.hold->w;
+    body.hold.reset();
+    forget_steps();
+  }
 }
 
 template <int D>

@@ -98,6 +98,8 @@ class World {
 
   /// Adds a body; returns its index.
   int add(Body<D> body);
+  /// Gives the bodies their velocities that are held until now or earlier.
+  void release_held();
   /// Removes the body that was added last.
   void remove_last();
   /// The laws between a body and a part of the terrain; null if the scenario names none. The caller
@@ -108,6 +110,7 @@ class World {
   std::function<PairLaws*(int rock, int other)> laws_between;
 
   double time = 0;
+  bool settling = false;  ///< no contact bounces (flight/settle.h)
   std::vector<Body<D>> bodies;
   /// From where the coordinates of the world count, in those of the scenario [m]. Laws see the latter.
   Vec<D> origin = Vec<D>::Zero();
@@ -373,7 +376,6 @@ class World {
 
   // choose_step.cpp: the length of a step by its error
   bool chooses_steps() const { return settings_.step_tolerance > 0; }
-  bool turns(const Contact& contact) const;
   double phases_so_far() const;
   double fastest_breath() const;
   double longest_of_springs() const;
@@ -400,7 +402,7 @@ class World {
 
   const Terrain* terrain_;
   Vec<D> gravity_;
-  double g_;  ///< |g|, m/s2
+  double g_;  ///< |g|, or the greatest with the load of a body, m/s2
   WorldSettings settings_;
   SolverQuality quality_;
   SolveResult last_solve_;

@@ -59,4 +59,5 @@ cmp "$user/tmp/out/rocks.csv" "$sources/tmp/out/rocks.csv"
 in_root "$user" sh -c 'cd /tmp && cp -r /usr/share/flyrock/plugins/terrain/raster r && cd r && mv slope.asc slope.agr &&
   sed -i s/slope.asc/slope.agr/ example.yaml && flyrock run example.yaml --trials 2 --quiet -o out && test -s out/rocks.csv'
 echo "the packages run in a root without compilers"
+umount "$sources/proc" "$user/proc"
 rm -rf "$folder"

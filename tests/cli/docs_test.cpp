@@ -327,7 +327,8 @@ TEST_CASE("README's permit command answers each question of its section", "[heav
     if (block.text.find("quarry/permit") == std::string::npos) continue;
     const Folder folder;
     const fs::path bin = fs::path(FLYROCK_BINARY).parent_path();
-    const Output run = shell(folder, "PATH='" + bin.string() + "':$PATH; " + block.text);
+    const std::string commands = block.text.substr(0, block.text.find_last_not_of('\n') + 1);
+    const Output run = shell(folder, "PATH='" + bin.string() + "':$PATH; " + commands);
     INFO(run.out << run.err);
     REQUIRE(run.code == 0);
     const auto summary = nlohmann::json::parse(read(folder.path() / "out/permit/summary.json"));

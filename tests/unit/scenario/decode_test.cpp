@@ -96,6 +96,29 @@ TEST_CASE("a scenario of bodies: units, defaults and names") {
   CHECK(s.terrain.material_of_part.at("") == 0);
 }
 
+TEST_CASE("bodies of one named shape have it as if it stood there") {
+  const std::string bodies =
+      "bodies:\n"
+      "  - { name: a, shape: round, mass: 1, position: [0, 1], force: [2 kN, 0], hold: 20 ms }\n"
+      "  - { name: b, shape: round, mass: 1, position: [3, 1] }\n"
+      "pairs: [{ between: [a, b], material: rock }]\n";
+  const Plan plan = decode_text(head + ground + bodies +
+                                "shapes: { round: { type: disk, radius: { uniform: [10 cm, 20 cm] } } }\n"
+                                "settle: { until: 1 cm/s, at_most: 3 s }\n");
+  const Scenario& s = plan.points.at(0);
+  REQUIRE(s.draws.size() == 2);
+  CHECK(s.draws[0].stream != s.draws[1].stream);
+  CHECK(s.bodies[1].shape.path == "bodies.1.shape");
+  CHECK(s.bodies[0].force.at(0).constant == 2000);
+  CHECK(s.bodies[0].hold->constant == 0.02);
+  CHECK_FALSE(s.bodies[1].hold);
+  CHECK(s.settle->until == 0.01);
+  CHECK(s.settle->at_most == 3);
+  const std::string once = to_yaml(plan.resolved);
+  CHECK(once.find("shapes") == std::string::npos);
+  CHECK(to_yaml(decode_text(once).resolved) == once);
+}
+
 TEST_CASE("distributions: scopes by section, streams by name") {
   const Plan plan = decode_text(head + benches + blocks +
                                 "gravity: { uniform: [9.8, 9.82] }\n"

@@ -12,7 +12,8 @@ namespace overlap_of_last_test {
 using lab::ground;
 using lab::Material;
 
-TEST_CASE("the overlap of the body that was added last is the deepest one of all while the others have none") {
+TEST_CASE(
+    "the overlap of the body that was added last is the deepest one of all while the others have none") {
   Material material(0, 0);
   WorldSettings settings;
   settings.body_contacts = true;
