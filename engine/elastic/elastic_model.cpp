@@ -90,7 +90,14 @@ void ElasticModel<D>::drop_rigid_motion(Eigen::VectorXd& motion) const {
 
 template <int D>
 double ElasticModel<D>::strain_energy(const Eigen::VectorXd& u) const {
-  return 0.5 * u.dot(stiffness_ * u);
+  double twice = 0;  // without the room that the product K u would take
+  for (int column = 0; column < stiffness_.outerSize(); ++column) {
+    double force = 0;  // K is symmetric
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(stiffness_, column); entry; ++entry)
+      force += entry.value() * u[entry.row()];
+    twice += force * u[column];
+  }
+  return 0.5 * twice;
 }
 
 template <int D>

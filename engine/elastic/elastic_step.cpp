@@ -40,7 +40,8 @@ void ElasticStep<D>::free_change(const Eigen::VectorXd& u, const Eigen::VectorXd
                                  Eigen::VectorXd& change) const {
   const ElasticMaterial& of = model_.material();
   shifted_ = h_ * u + (theta_ * h_ * h_ + h_ * of.beta) * rate;
-  change.noalias() = -(model_.stiffness() * shifted_);
+  change.setZero();
+  change.noalias() -= model_.stiffness() * shifted_;
   change -= h_ * of.alpha * model_.masses().cwiseProduct(rate);
   solve(change);
 }

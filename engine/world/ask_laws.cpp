@@ -172,7 +172,8 @@ void World<D>::ask_law(Contact& contact, double h) {
     if (laws->reads_state()) state = state_of(contact, h);
     contact.law = laws->ask(state, impact, contact.history);
   }
-  if (settling) static_cast<Restitution&>(contact.law) = {};
+  // The waves of a deformable block are its restitution.
+  if (settling || deforms(contact)) static_cast<Restitution&>(contact.law) = {};
 }
 
 /// Impacts come first, because a resting contact uses the values that were drawn for the last impact of its
