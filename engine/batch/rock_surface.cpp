@@ -171,13 +171,9 @@ std::vector<SurfaceCorner> surface_of(const std::vector<Contactor3>& contactors)
 
 std::vector<SurfaceCorner> surface_of(const Body<2>& body) {
   if (!body.deformation.moves()) return surface_of(body.contactors);
-  Contactor2 all{.form = Form::hull};
-  for (const Contactor2& node : body.contactors) all.points.push_back(node.points.front());
-  for (std::size_t i = 0; i < all.points.size(); ++i) {
-    const Vec2 edge = all.points[(i + 1) % all.points.size()] - all.points[i];
-    all.normals.emplace_back(Vec2(edge.y(), -edge.x()).normalized());
-  }
-  return surface_of(std::vector{std::move(all)});
+  std::vector<Vec2> corners;
+  for (const Contactor2& node : body.contactors) corners.push_back(node.points.front());
+  return surface_of(std::vector{Contactor2::hull(std::move(corners), 0)});
 }
 std::vector<SurfaceCorner> surface_of(const Body<3>& body) { return surface_of(body.contactors); }
 

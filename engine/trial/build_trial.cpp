@@ -388,8 +388,11 @@ void TrialBuilder<D>::deform(const BodyPlan& plan, const std::string& path, cons
                                    .thickness = body.volume / (pi * body.radius * body.radius),
                                    .alpha = shape.alpha,
                                    .beta = shape.beta};
-    make_deformable(body, elastic_.get(shape, material, *scenario_.solver.time_step, scenario_.solver.theta),
-                    shape.tensile_strength);
+    at_path(path + "shape", [&] {
+      make_deformable(body,
+                      elastic_.get(shape, material, *scenario_.solver.time_step, scenario_.solver.theta),
+                      shape.tensile_strength);
+    });
   }
 }
 
