@@ -62,10 +62,18 @@ speed.pivot_table(index="time_s", columns="point", values="vx_m_s").plot(xlabel=
         "The tilt of the block: each swing is smaller and shorter.",
         """tilt = table("SELECT time_s, angle_rad FROM series_bodies ORDER BY time_s")
 tilt.plot("time_s", "angle_rad", legend=False, xlabel="time in s", ylabel="tilt in rad");"""),
+    "shaken_block": (
+        "The speeds of the block and of the table: mu = 0.3 (point 0) follows with mu g, mu = 0.6 (point 1) as the table.",
+        """speed = table("SELECT point, body, time_s, vx_m_s FROM series_bodies")
+speed.pivot_table(index="time_s", columns=["body", "point"], values="vx_m_s").interpolate().plot(xlabel="time in s", ylabel="v_x in m/s");"""),
     "cradle": (
         "The speeds of the balls at the end, for e = 0.5 (point 0) and e = 1 (point 1).",
         """last = table('SELECT point, "group", vx_m_s FROM trajectories JOIN rocks USING (point, trial, rock) ORDER BY trajectories.time_s')
 last.groupby(["group", "point"]).vx_m_s.last().unstack().plot.bar(xlabel="", ylabel="v_x in m/s");"""),
+    "waves": (
+        "The forces in the long row at every fifth contact: a pulse that keeps its shape.",
+        """force = table("SELECT a, time_s, rn_N FROM series_contacts WHERE a LIKE 'forty%5' OR a LIKE 'forty%0' ORDER BY time_s")
+force.pivot_table(index="time_s", columns="a", values="rn_N").fillna(0).plot(xlabel="time in s", ylabel="force in N");"""),
     "rolling": (
         "The path of the sphere from above: a parabola, then a straight line; on the incline (point 1) it is turned downhill.",
         """path = table("SELECT point, x_m, y_m FROM series_bodies ORDER BY point, time_s")
@@ -217,7 +225,7 @@ def main():
         return check(options.check)
     options.folder.mkdir(parents=True, exist_ok=True)
     for lab in options.labs or labs():
-        ending = "lua" if lab in ("arch", "own_law") else "yaml"
+        ending = "lua" if lab in ("arch", "own_law", "waves") else "yaml"
         file = options.folder / f"{lab}.ipynb"
         file.write_text(json.dumps(notebook(lab, ending), indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
         print(file)

@@ -4,6 +4,8 @@
 
 #include <optional>
 
+#include "world/proportions.h"
+
 namespace flyrock {
 
 namespace {
@@ -28,6 +30,11 @@ std::optional<Rolling> resistance_to(const Body<D>& body, const RollingLaw& law,
   state.group_a = body.group;
   state.group_b = "terrain";
   set_on_level_ground(state, D);
+  const Proportions proportions = proportions_of(body);
+  state.shape_type = body.shape_type;
+  state.shape_elongation = proportions.elongation;
+  state.shape_flatness = proportions.flatness;
+  state.shape_corners = proportions.corners;
   std::vector<double> history(use.plugin->spec.history.size(), 0.0);
   state.history = history;
   try {

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "batch/clearance_check.h"
+#include "batch/confined.h"
 #include "batch/greatest_throw.h"
 #include "batch/include.h"
 #include "batch/safe_file.h"
@@ -91,6 +92,7 @@ std::optional<LoadedScenario> load_scenario(const std::string& path, const Overr
   LoadedScenario loaded;
   loaded.session = std::make_unique<LuaSession>(share_folder());
   if (prints == Prints::collected) loaded.session->collect_prints();
+  if (overrides.confined) loaded.session->refuse_natives();
   loaded.name = fs::path(path).stem().string();
   const std::size_t builtin = loaded.session->registry().size();
   loaded.session->arguments().give(overrides.arguments, diagnostics);
@@ -100,6 +102,10 @@ std::optional<LoadedScenario> load_scenario(const std::string& path, const Overr
   loaded.defines_plugins = loaded.session->registry().size() > builtin;
   loaded.own_trials = trials_of(root);
   const fs::path folder = fs::path(path).parent_path();
+  if (overrides.confined) {
+    refuse_outer_files(root, folder, diagnostics);
+    if (diagnostics.has_errors()) return std::nullopt;
+  }
   std::map<std::string, std::string> included;
   std::vector<Value> library;
   if (root.map())

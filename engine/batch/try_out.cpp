@@ -48,9 +48,7 @@ void try_law(const std::unique_ptr<LawKind>& law, const std::optional<PluginUse>
     check_answer(*law, ask(*law, values, state));
   } catch (const TrialError& error) {
     std::fill(history.begin(), history.end(), 0.0);
-    add(tried.errors, use->path,
-        fmt::format("{} (parameters: {}; asked with: {})", error.what(),
-                    parameters_text(spec, use->values, values), state_text(spec, state)));
+    add(tried.errors, use->path, error.what() + asked_text(spec, use->values, values, state));
   }
 }
 

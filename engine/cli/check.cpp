@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "batch/safe_file.h"
+#include "cli/given_parameters.h"
 #include "cli/loading.h"
 #include "cli/not_used_line.h"
 #include "cli/plugin_file.h"
@@ -27,11 +28,14 @@ std::string verdict(std::size_t warnings) {
   return fmt::format("no error, {} warning{}", warnings, warnings == 1 ? "" : "s");
 }
 
-/// Loads a plugin file or folder and tries its plugins on sampled parameters and states.
-int check_plugin(const std::string& path, const std::vector<std::string>& arguments) {
+/// Loads a plugin file or folder and tries its plugins on sampled states, with the parameters of --set and
+/// sampled ones.
+int check_plugin(const std::string& path, const Overrides& overrides) {
+  if (overrides.seed || overrides.trials)
+    throw UsageError("--seed and --trials belong to a scenario; a plugin is tried on states of its own");
   LuaSession session(share_folder());
   Diagnostics diagnostics;
-  session.arguments().give(arguments, diagnostics);
+  session.arguments().give(overrides.arguments, diagnostics);
   const std::optional<std::vector<const Plugin*>> plugins = load_plugin_file(session, path);
   session.arguments().refuse_unasked(diagnostics);
   tell("{}", diagnostics.to_text());
@@ -42,7 +46,10 @@ int check_plugin(const std::string& path, const std::vector<std::string>& argume
       tell("{}: {}: {}/{}: {}\n", place_of(plugin->spec), grade, name_of(plugin->spec.kind),
            plugin->spec.name, text);
     };
-    const Conformance found = conformance(*plugin);
+    const int dimension = plugin->spec.dimension == 3 ? 3 : 2;
+    const auto given = decode_given(session.registry(), plugin->spec, overrides.set, dimension);
+    if (!given) return bad_input;
+    const Conformance found = conformance(*plugin, *given);
     for (const std::string& fault : found.faults) say("error", fault);
     for (const std::string& what : found.not_called) say("warning", what);
     if (!found.whole) say("warning", "its calls take so long that only some of the samples were tried");
@@ -102,7 +109,7 @@ int check(const Command& command, const Arguments& arguments) {
   const std::string& path = line.words[0];
   const Overrides overrides = overrides_of(line);
   try {
-    return is_plugin(path) ? check_plugin(path, overrides.arguments)
+    return is_plugin(path) ? check_plugin(path, overrides)
                            : check_scenario(path, overrides, line.has("strict"));
   } catch (const InputError&) {
     throw;

@@ -5,48 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <set>
 
 #include "batch/safe_file.h"
 #include "cli/command.h"
+#include "cli/given_parameters.h"
 #include "cli/plugin_file.h"
 #include "cli/plugin_text.h"
 #include "cli/run_program.h"
 #include "cli/terminal.h"
-#include "document/yaml_reader.h"
 #include "host/session.h"
 #include "host/share.h"
 #include "report/line_plot.h"
 #include "results/law_graph.h"
-#include "scenario/decode_params.h"
-#include "scenario/normalise_params.h"
 
 namespace flyrock::cli {
 
 namespace {
-
-/// The plugin with the parameters of --set, "name=value" with units as in a scenario. Prints faults.
-std::optional<PluginUse> decode_use(const Registry& registry, const PluginSpec& spec,
-                                    const std::vector<std::string>& settings) {
-  std::string text = "type: " + spec.name + '\n';
-  for (const std::string& setting : settings) {
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos)
-      throw UsageError(fmt::format("--set {}: expected PARAMETER=VALUE", setting));
-    text += setting.substr(0, equals) + ": " + setting.substr(equals + 1) + '\n';
-  }
-  Diagnostics diagnostics;
-  std::optional<PluginUse> use;
-  if (const auto value = read_yaml(text, "--set", diagnostics)) {
-    const std::set<std::string> no_sweep;
-    DecodeContext context{registry, ".", diagnostics, no_sweep};
-    const Value normalised = normalise_plugin(context, Node::root(*value), spec.kind, {});
-    use = decode_plugin(context, Node::root(normalised), spec.kind);
-  }
-  tell("{}", diagnostics.to_text());
-  if (diagnostics.has_errors()) return std::nullopt;
-  return use;
-}
 
 /// KIND/NAME, or the law of a file. If the file has faults, prints them and returns null.
 const PluginSpec* law_named(LuaSession& session, const std::string& word) {

@@ -74,6 +74,12 @@ function terrain:height(x, y) end
 ---@return flyrock.Vector
 function terrain:normal(x, y) end
 
+---@class flyrock.Launch
+---@field velocity flyrock.Vector m/s
+---@field spin? number|flyrock.Vector rad/s; in 3D a vector
+---@field note? string a warning for the run
+---@field greatest_throw? number m, of a model that was fitted to distances
+
 ---@class flyrock.Manifest
 ---@field kind flyrock.Kind
 ---@field name string
@@ -91,8 +97,8 @@ function terrain:normal(x, y) end
 ---@field impact? fun(p: table, contact: flyrock.Contact): number, number?
 ---@field friction? fun(p: table, contact: flyrock.Contact): number, number?, number?, number?
 ---@field rolling? fun(p: table, contact: flyrock.Contact): number, number?
----@field condition? fun(p: table, contact: flyrock.Contact): table
----@field launch? fun(p: table, rock: flyrock.Rock, blast: flyrock.Blast, rng: flyrock.Rng): table
+---@field condition? fun(p: table, contact: flyrock.Contact): "signorini"|"quasi_shock"|"cohesive"|"penalty", number?, number?, number?, number?
+---@field launch? fun(p: table, rock: flyrock.Rock, blast: flyrock.Blast, rng: flyrock.Rng, terrain: flyrock.Terrain): flyrock.Launch
 ---@field rocks? fun(p: table, terrain: flyrock.Terrain, blast: flyrock.Blast, rng: flyrock.Rng): table[]
 ---@field build? fun(p: table, rng: flyrock.Rng, dimension: integer): table
 
@@ -102,10 +108,10 @@ function terrain:normal(x, y) end
 ---@field unit? string
 ---@field optional? boolean
 ---@field needed_in? integer 2 or 3: the dimension that needs an `optional` one
----@field min? number|string
----@field max? number|string
----@field above? number|string
----@field below? number|string
+---@field min? number|string|number[] of `points` a list with a number for each component
+---@field max? number|string|number[]
+---@field above? number|string|number[]
+---@field below? number|string|number[]
 ---@field usual? number[]
 ---@field choices? string[]
 ---@field fields? table<string, flyrock.Parameter> of `records`
@@ -127,6 +133,10 @@ function fr.plugin(manifest) end
 ---@param default T
 ---@return T
 function fr.argument(name, default) end
+---A load that changes over time, sampled by 1 ms.
+---@param load fun(time: number): number|number[]
+---@return table
+function fr.over_time(load) end
 )";
 
 std::string quoted_names(const std::vector<std::string>& names) {
@@ -264,15 +274,34 @@ std::string plugins_text(const Registry& registry) {
   return text + fmt::format("\n---@alias flyrock.Kind {}\n", quoted_names(kinds));
 }
 
+std::string type_of(const ContactField& one) {
+  if (one.text) return "string";
+  if (one.vector) return "flyrock.Vector";
+  if (one.flag) return "boolean";
+  return one.doc.find("nil") == one.doc.npos ? "number" : "number|nil";
+}
+
+std::string doc_of(const ContactField& one) {
+  return fmt::format(
+      "{}{}{}", one.doc, one.unit.empty() ? "" : fmt::format(" [{}]", one.unit),
+      one.only_if_read && one.table().empty() ? fmt::format("; if `reads` has \"{}\"", one.read_name()) : "");
+}
+
 /// What laws and launch models read.
 std::string views_text() {
-  std::string text = "\n---@class flyrock.Contact\n---@field history table<string, number>\n";
-  for (const ContactField& one : contact_fields())
-    text += field(std::string(one.name), false,
-                  one.number ? "number"
-                  : one.text ? "string"
-                             : "flyrock.Vector",
-                  "");
+  std::string text =
+      "\n---@class flyrock.Contact\n---@field history table<string, number> what the law remembers\n";
+  std::map<std::string_view, std::string> tables;
+  for (const ContactField& one : contact_fields()) {
+    const std::string_view table = one.table();
+    if (!table.empty() && !tables.contains(table))
+      text += field(std::string(table), false, fmt::format("flyrock.contact.{}", table),
+                    fmt::format("if `reads` has \"{}\"", one.read_name()));
+    (table.empty() ? text : tables[table]) +=
+        field(std::string(one.own_name()), false, type_of(one), doc_of(one));
+  }
+  for (const auto& [table, fields] : tables)
+    text += fmt::format("\n---@class flyrock.contact.{}\n{}", table, fields);
   text += "\n---@class flyrock.Blast\n";
   for (const BlastFieldInfo& info : blast_fields())
     text += field(std::string(info.name), false, "number", fmt::format("{} [{}]", info.doc, info.unit));

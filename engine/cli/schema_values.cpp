@@ -207,6 +207,19 @@ Json SchemaValues::points(const ParamSpec& spec, int coordinates, const ValuePla
   ParamSpec coordinate = pure_number(spec.dimension);
   const Json number_schema =
       number(coordinate, {.dimension = place.dimension, .varies = false, .may_sweep = place.may_sweep});
+  if (!spec.fields.empty()) {
+    Json components = Json::array();
+    for (std::size_t k = 0; k < static_cast<std::size_t>(coordinates); ++k)
+      components.push_back(k < spec.fields.size() ? number(spec.fields[k], {.dimension = place.dimension,
+                                                                            .varies = false,
+                                                                            .may_sweep = place.may_sweep})
+                                                  : number_schema);
+    const Json point = {{"type", "array"},
+                        {"items", std::move(components)},
+                        {"minItems", coordinates},
+                        {"maxItems", coordinates}};
+    return {{"type", "array"}, {"items", point}};
+  }
   return {{"type", "array"}, {"items", tuple(number_schema, static_cast<std::size_t>(coordinates))}};
 }
 

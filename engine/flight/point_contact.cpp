@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/point_impact.h"
+#include "world/proportions.h"
 
 namespace flyrock {
 
@@ -57,6 +58,17 @@ ContactState PointContact<D>::state_of(const Face<D>& face, const PairLaws& laws
   return state;
 }
 
+template <int D>
+void PointContact<D>::set_read_fields(ContactState& state, const ContactReads& reads) const {
+  state.slip_length = slipped_.length;
+  if (!reads.shape) return;
+  const Proportions proportions = proportions_of(body_);
+  state.shape_type = body_.shape_type;
+  state.shape_elongation = proportions.elongation;
+  state.shape_flatness = proportions.flatness;
+  state.shape_corners = proportions.corners;
+}
+
 /// The normal of the face, tilted by the roughness of its material: the tilt is added to the dip along the
 /// motion, and in 3D a second one to the dip across it.
 template <int D>
@@ -105,8 +117,12 @@ typename PointContact<D>::Bounce PointContact<D>::strike(const Face<D>& face, do
                                                          Vec<D>& v) {
   PairLaws* laws = laws_[face.part];
   since_ = time;
+  slipped_ = {};
   Bounce bounce{begin_impact(face, laws, v), {}, {}};
-  if (laws && laws->reads_state()) state_ = state_of(face, *laws, bounce.face.normal, time, at, v);
+  if (laws && laws->reads_state()) {
+    state_ = state_of(face, *laws, bounce.face.normal, time, at, v);
+    set_read_fields(state_, laws->reads());
+  }
   const ContactLaw law = laws ? laws->ask(state_, true, memory_) : ContactLaw{};
   const auto frame = contact_frame(bounce.face.normal);
   bounce.before = frame.transpose() * v;
@@ -139,14 +155,18 @@ Impact PointContact<D>::record(const Face<D>& face, double time, const Vec<D>& a
 
 template <int D>
 typename PointContact<D>::Grip PointContact<D>::grip(const Face<D>& face, double time, const Vec<D>& at,
-                                                     const Vec<D>& v, double press) {
+                                                     const Vec<D>& v, double press, double force) {
   PairLaws* laws = laws_[face.part];
   if (!laws) return {};
   if (memory_part_ != face.part) {
     memory_ = {};
     memory_part_ = face.part;
     since_ = time;
+    slipped_ = {};
   }
+  if (slipped_.time > 0) slipped_.length += 0.5 * (slipped_.speed + v.norm()) * (time - slipped_.time);
+  slipped_.time = time;
+  slipped_.speed = v.norm();
   age_ = time - since_;
   ++laws->use.contacts;
   laws->begin_instant();
@@ -158,6 +178,8 @@ typename PointContact<D>::Grip PointContact<D>::grip(const Face<D>& face, double
   } else {
     ContactState state = state_of(face, *laws, face.normal, time, at, v);
     state.was_sticking = v.isZero(0);
+    state.normal_force = force;
+    set_read_fields(state, laws->reads());
     law = laws->ask(state, false, memory_);
     grip.constant = laws->is_known();
   }

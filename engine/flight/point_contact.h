@@ -45,11 +45,20 @@ class PointContact {
     bool rolls = false;
     bool constant = true;  ///< false: the laws may answer otherwise as the state changes
   };
-  Grip grip(const Face<D>& face, double time, const Vec<D>& at, const Vec<D>& v, double press);
+  Grip grip(const Face<D>& face, double time, const Vec<D>& at, const Vec<D>& v, double press) {
+    return grip(face, time, at, v, press, body_.mass * press);
+  }
+  /// The same at a touch without restitution, where `press` is the approach [m/s] and a force is not known.
+  Grip grip_at_touch(const Face<D>& face, double time, const Vec<D>& at, const Vec<D>& v, double press) {
+    slipped_ = {};
+    return grip(face, time, at, v, press, ContactState::none);
+  }
 
   int impacts() const { return impacts_; }
 
  private:
+  Grip grip(const Face<D>& face, double time, const Vec<D>& at, const Vec<D>& v, double press, double force);
+  void set_read_fields(ContactState& state, const ContactReads& reads) const;
   ContactState state_of(const Face<D>& face, const PairLaws& laws, const Vec<D>& normal, double time,
                         const Vec<D>& at, const Vec<D>& v) const;
   /// Counts the impact and draws what is drawn at each.
@@ -65,6 +74,12 @@ class PointContact {
   int memory_part_ = -1;
   int impacts_ = 0;
   double age_ = 0, since_ = 0;  ///< s
+  /// The way slipped since the contact closed, by the trapezoidal rule over the calls of grip.
+  struct Slipped {
+    double length = 0;  ///< m
+    double time = 0;    ///< s, of the last call
+    double speed = 0;   ///< m/s, at that time
+  } slipped_;
 };
 
 }  // namespace flyrock

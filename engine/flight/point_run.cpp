@@ -201,7 +201,7 @@ class PointRunner {
   void close(const Face<D>& face, double approach) {
     Vec<D>& v = now_.velocity;
     v += approach * face.normal;
-    const auto grip = contact_.grip(face, now_.time, now_.position, v, approach);
+    const auto grip = contact_.grip_at_touch(face, now_.time, now_.position, v, approach);
     const double slip = v.norm();
     if (slip > 0) v *= std::max(0.0, 1 - grip.slides / slip);
   }

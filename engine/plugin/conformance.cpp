@@ -412,7 +412,8 @@ struct Calls {
 /// Asks one sample twice, and once more with another value of each parameter.
 template <class Interface>
 void try_sample(const Plugin& plugin, int dimension, const std::vector<ParamValue>& values,
-                const Patience& patience, RandomStream& rng, Calls& calls) {
+                const std::vector<ParamValue>& given, const Patience& patience, RandomStream& rng,
+                Calls& calls) {
   const auto& params = plugin.spec.params;
   Refusal& refusal = calls.refusals[static_cast<std::size_t>(dimension)];
   const Trial<Interface> trial(plugin, dimension, values, patience);
@@ -423,7 +424,7 @@ void try_sample(const Plugin& plugin, int dimension, const std::vector<ParamValu
   for (std::size_t i = 0; i < params.size(); ++i) {
     if (!values[i].given) continue;
     calls.with[i] = true;
-    if (!can_sample(params[i]) || calls.felt[i]) continue;
+    if (!can_sample(params[i]) || calls.felt[i] || is_given(given, i)) continue;
     auto changed = values;
     changed[i] = sample_param(plugin.spec, i, values, dimension, rng);
     if (!keeps_bounds(plugin.spec, changed)) continue;
@@ -471,7 +472,8 @@ void tell_not_called(const PluginSpec& spec, const Calls& calls, Conformance& fo
 }
 
 template <class Interface>
-void test(const Plugin& plugin, const FactoryOf<Interface>&, const Patience& patience, Conformance& found) {
+void test(const Plugin& plugin, const FactoryOf<Interface>&, const std::vector<ParamValue>& given,
+          const Patience& patience, Conformance& found) {
   const auto& params = plugin.spec.params;
   RandomStream rng(sample_seed, "parameters", {});
   Calls calls;
@@ -482,10 +484,13 @@ void test(const Plugin& plugin, const FactoryOf<Interface>&, const Patience& pat
       params.empty() ? 1 : samples;  // samples per dimension; without parameters all samples are the same
   for (int sample = 0; sample < 2 * each; ++sample) {
     const int dimension = sample < each ? 2 : 3;
-    for (const auto& values : sample_variants(plugin.spec, dimension, rng))
-      try_sample<Interface>(plugin, dimension, values, patience, rng, calls);
+    for (const auto& values : sample_variants(plugin.spec, dimension, rng, given))
+      try_sample<Interface>(plugin, dimension, values, given, patience, rng, calls);
   }
   if (!calls.answered()) return tell_silence(plugin.spec, calls, found);
+  const auto is_of_user = [](const ParamValue& value) { return value.given; };
+  if (std::any_of(given.begin(), given.end(), is_of_user))  // others may mean nothing then
+    calls.given.assign(params.size(), false);
   for (std::size_t i = 0; i < params.size(); ++i)
     if (calls.given[i] && !calls.felt[i])
       found.faults.push_back("the parameter `" + params[i].name + "` changes nothing");
@@ -494,11 +499,11 @@ void test(const Plugin& plugin, const FactoryOf<Interface>&, const Patience& pat
 
 }  // namespace
 
-Conformance conformance(const Plugin& plugin) {
+Conformance conformance(const Plugin& plugin, const std::vector<ParamValue>& given) {
   const Patience patience;
   Conformance found;
   try {
-    std::visit([&](const auto& factory) { test(plugin, factory, patience, found); }, plugin.make);
+    std::visit([&](const auto& factory) { test(plugin, factory, given, patience, found); }, plugin.make);
   } catch (const TimeIsUp&) {
     found.whole = false;
   } catch (const PluginError& error) {

@@ -25,7 +25,8 @@ struct Conformance {
 ///  - each parameter, where it can be given, changes the answer of at least one trial.
 /// A plugin that no sample of its parameters can make is at fault. Parameters of type text, file and shapes
 /// cannot be sampled: they are left out, and a plugin that requires one is not called. The tests stop after
-/// 5 s of processor time.
-Conformance conformance(const Plugin& plugin);
+/// 5 s of processor time. `given`, where it is not empty, has an entry for each parameter: those that are
+/// given keep their values, and are called with even if they could not be sampled.
+Conformance conformance(const Plugin& plugin, const std::vector<ParamValue>& given = {});
 
 }  // namespace flyrock

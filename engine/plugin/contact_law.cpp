@@ -62,35 +62,127 @@ void set_on_level_ground(ContactState& contact, int dimension) {
   contact.dimension = dimension;
   contact.normal = Vec3::Unit(dimension - 1);
   contact.slip = contact.slip_speed * Vec3::UnitX();
+  contact.shape_type = dimension == 2 ? "disk" : "sphere";
+  if (dimension == 3) contact.shape_flatness = 1;
+}
+
+std::string_view ContactField::table() const {
+  const std::size_t dot = name.find('.');
+  return dot == name.npos ? std::string_view() : name.substr(0, dot);
+}
+std::string_view ContactField::own_name() const {
+  return table().empty() ? name : name.substr(table().size() + 1);
+}
+std::string ContactField::read_name() const {
+  return fmt::format("contact.{}", table().empty() ? name : table());
 }
 
 const std::vector<ContactField>& contact_fields() {
+  using State = ContactState;
   static const std::vector<ContactField> fields{
-      {"approach_speed", &ContactState::approach_speed, {}},
-      {"slip_speed", &ContactState::slip_speed, {}},
-      {"impact_angle", &ContactState::impact_angle, {}},
-      {"gap", &ContactState::gap, {}},
-      {"effective_mass", &ContactState::effective_mass, {}},
-      {"mass", &ContactState::mass, {}},
-      {"radius", &ContactState::radius, {}},
-      {"spin", &ContactState::spin, {}},
-      {"kinetic_energy", &ContactState::kinetic_energy, {}},
-      {"length", &ContactState::length, {}},
-      {"area", &ContactState::area, {}},
-      {"age", &ContactState::age, {}},
-      {"pair_age", &ContactState::pair_age, {}},
-      {"was_sticking", &ContactState::was_sticking, {}},
-      {"impact_number", &ContactState::impact_number, {}},
-      {"time", &ContactState::time, {}},
-      {"step", &ContactState::step, {}},
-      {"normal", {}, {}, &ContactState::normal},
-      {"place", {}, {}, &ContactState::place},
-      {"slip", {}, {}, &ContactState::slip},
-      {"group_a", {}, &ContactState::group_a},
-      {"group_b", {}, &ContactState::group_b},
-      {"material", {}, &ContactState::material},
+      {"approach_speed", "m/s", "speed at which the bodies approach; 0 if they separate",
+       &State::approach_speed},
+      {"slip_speed", "m/s", "magnitude of the tangential velocity", &State::slip_speed},
+      {"impact_angle", "rad", "from the surface: pi/2 is a normal impact", &State::impact_angle},
+      {"gap", "m", "distance; below 0: penetration", &State::gap},
+      {"effective_mass", "kg", "1/W_nn", &State::effective_mass},
+      {"mass", "kg", "of the rock", &State::mass},
+      {"radius", "m", "of the sphere (2D: disk) of equal volume (area)", &State::radius},
+      {"spin", "rad/s", "of the rock", &State::spin},
+      {"kinetic_energy", "J", "of the rock", &State::kinetic_energy},
+      {"length", "m", "share of a face that this contact point stands for; 2D", &State::length},
+      {"area", "m2", "the same as an area", &State::area},
+      {"age", "s", "since the contact closed", &State::age},
+      {"pair_age", "s", "greatest age of the contacts of its pair", &State::pair_age},
+      {"was_sticking", "", "1 if the contact stuck in the last step, otherwise 0", &State::was_sticking},
+      {"impact_number", "", "impacts of the rock so far, this one included; from 1", &State::impact_number},
+      {"time", "s", "since the start of the trial", &State::time},
+      {"step", "s", "length of this step; 0 for an impact", &State::step},
+      {.name = "normal_force",
+       .unit = "N",
+       .doc = "of the last step; nil when the contact closes and at impacts",
+       .number = &State::normal_force,
+       .only_if_read = true},
+      {.name = "points",
+       .unit = "",
+       .doc = "contact points of the pair with this normal, this one included",
+       .number = &State::points,
+       .only_if_read = true},
+      {.name = "shape.type",
+       .unit = "",
+       .doc = "name of the rock's shape: \"polygon\"; of a shape that a population gives, the population's",
+       .text = &State::shape_type,
+       .only_if_read = true},
+      {.name = "shape.elongation",
+       .unit = "",
+       .doc = "intermediate (2D: shorter) axis of the rock over its longest, by its moments of inertia",
+       .number = &State::shape_elongation,
+       .only_if_read = true},
+      {.name = "shape.flatness",
+       .unit = "",
+       .doc = "its shortest axis over the intermediate one; nil in 2D",
+       .number = &State::shape_flatness,
+       .only_if_read = true},
+      {.name = "shape.corners",
+       .unit = "",
+       .doc = "number of its corners, rounded ones too; 0 of disks, spheres, pills and bodies with rims",
+       .number = &State::shape_corners,
+       .only_if_read = true},
+      {.name = "partner.mass",
+       .unit = "kg",
+       .doc = "of the other body; nil if contacts do not move it, as the terrain",
+       .number = &State::partner_mass,
+       .only_if_read = true},
+      {.name = "partner.radius",
+       .unit = "m",
+       .doc = "the same as `radius`, of the other body; nil of the terrain",
+       .number = &State::partner_radius,
+       .only_if_read = true},
+      {.name = "partner.moves",
+       .unit = "",
+       .doc = "whether contacts move the other body: false of the terrain, of fixed and driven bodies",
+       .flag = &State::partner_moves,
+       .only_if_read = true},
+      {.name = "slip_length",
+       .unit = "m",
+       .doc = "way that the contact has slipped since it closed; 0 for features that touch anew",
+       .number = &State::slip_length,
+       .only_if_read = true},
+      {"normal", "", "unit vector towards the rock", {}, {}, &State::normal},
+      {"place", "m", "contact point in the coordinates of the scenario", {}, {}, &State::place},
+      {"slip", "m/s", "tangential velocity of the rock", {}, {}, &State::slip},
+      {"group_a", "", "name of the rock's group or body", {}, &State::group_a},
+      {"group_b", "", "the other body; of the terrain `terrain.PART`, or `terrain`", {}, &State::group_b},
+      {"material", "", "name of the material", {}, &State::material},
   };
   return fields;
+}
+
+bool may_read(const PluginSpec& spec, const ContactField& field) {
+  if (!field.only_if_read) return true;
+  const std::string name = field.read_name();
+  return std::any_of(spec.reads.begin(), spec.reads.end(),
+                     [&](const FieldRead& read) { return read.field == name; });
+}
+
+void ContactReads::add(const ContactReads& other) {
+  normal_force = normal_force || other.normal_force;
+  points = points || other.points;
+  shape = shape || other.shape;
+  partner = partner || other.partner;
+  slip_length = slip_length || other.slip_length;
+}
+
+ContactReads contact_reads(const PluginSpec& spec) {
+  const auto has = [&](std::string_view field) {
+    return std::any_of(spec.reads.begin(), spec.reads.end(),
+                       [&](const FieldRead& read) { return read.field == field; });
+  };
+  return {.normal_force = has("contact.normal_force"),
+          .points = has("contact.points"),
+          .shape = has("contact.shape"),
+          .partner = has("contact.partner"),
+          .slip_length = has("contact.slip_length")};
 }
 
 void check_answer(const Law& law, const Restitution& answer) {

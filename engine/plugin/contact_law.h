@@ -1,6 +1,7 @@
 #pragma once
 // Contact laws: restitution, friction, rolling resistance and the normal condition.
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -75,8 +76,12 @@ struct ContactLaw : Restitution, Friction, Rolling {
 };
 
 /// The data of a contact that a law may read. SI units. Velocities are relative velocities at the contact
-/// point, `the rock` is that of World::rock_of. The order is that of `contact_fields()`.
+/// point, `the rock` is that of World::rock_of. The order is that of `contact_fields()`. The fields from
+/// `normal_force` to `slip_length` are computed only for laws whose manifest names them in `reads`; otherwise
+/// they describe the first contact of a ball with the terrain. NaN: there is no such number.
 struct ContactState {
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
   double approach_speed = 0;  ///< m/s, -v_n if the bodies approach, otherwise 0
   double slip_speed = 0;      ///< m/s, |v_t|
   double impact_angle = 0;    ///< rad from the surface: pi/2 is a normal impact
@@ -91,15 +96,25 @@ struct ContactState {
   double age = 0;             ///< s since the contact closed
   double pair_age =
       0;  ///< s since the pair has been in contact without interruption: the greatest age of its contacts
-  double was_sticking = 0;      ///< 1 if the contact stuck in the last step, otherwise 0
-  double impact_number = 0;     ///< impacts of the rock so far, this one included; from 1
-  double time = 0;              ///< s
-  double step = 0;              ///< s, length of the current step; 0 for an impact
-  int dimension = 2;            ///< of the vectors; z is 0 in 2D
-  Vec3 normal = Vec3::UnitY();  ///< unit, towards the rock
-  Vec3 place = Vec3::Zero();    ///< m, the contact point in the coordinates of the scenario
-  Vec3 slip = Vec3::Zero();     ///< m/s, v_t: the tangential velocity of the rock
-  std::string_view group_a;     ///< the rock: name of its group or body
+  double was_sticking = 0;     ///< 1 if the contact stuck in the last step, otherwise 0
+  double impact_number = 0;    ///< impacts of the rock so far, this one included; from 1
+  double time = 0;             ///< s
+  double step = 0;             ///< s, length of the current step; 0 for an impact
+  double normal_force = none;  ///< N, r_n/h of the last accepted step; none at first touch and at impacts
+  double points = 1;           ///< contact points of the same pair with the same normal, this one included
+  std::string_view shape_type = "disk";  ///< name of the rock's shape (Body::shape_type)
+  double shape_elongation = 1;           ///< of the rock, as Proportions (world/proportions.h)
+  double shape_flatness = none;          ///< 3D only
+  double shape_corners = 0;
+  double partner_mass = none;    ///< kg, of the other body; none of one that contacts do not move
+  double partner_radius = none;  ///< m; none of the terrain
+  bool partner_moves = false;    ///< whether contacts move the other body
+  double slip_length = 0;        ///< m, way that the contact has slipped since it closed
+  int dimension = 2;             ///< of the vectors; z is 0 in 2D
+  Vec3 normal = Vec3::UnitY();   ///< unit, towards the rock
+  Vec3 place = Vec3::Zero();     ///< m, the contact point in the coordinates of the scenario
+  Vec3 slip = Vec3::Zero();      ///< m/s, v_t: the tangential velocity of the rock
+  std::string_view group_a;      ///< the rock: name of its group or body
   std::string_view group_b;   ///< the other body: name of its group or body, or terrain.<part>; terrain where
                               ///< the part has no name
   std::string_view material;  ///< name of the material of the contact
@@ -109,17 +124,35 @@ struct ContactState {
   std::span<double> history;
 };
 
-/// Puts a contact on level ground: an upright normal, and the slip of its slip_speed along x.
+/// Puts a ball on level ground: an upright normal, and the slip of its slip_speed along x.
 void set_on_level_ground(ContactState& contact, int dimension);
 
-/// A field of a contact and its name. Exactly one of `number`, `text` and `vector` is set.
+/// A field of a contact and its name: "gap"; "shape.corners" is a field of the table `shape`. Exactly one of
+/// `number`, `text`, `vector` and `flag` is set.
 struct ContactField {
-  std::string_view name;
+  std::string_view name, unit, doc;  ///< SI; no unit: a pure number
   double ContactState::*number = nullptr;
   std::string_view ContactState::*text = nullptr;
   Vec3 ContactState::*vector = nullptr;
+  bool ContactState::*flag = nullptr;
+  bool only_if_read = false;  ///< there only for laws whose manifest names it, or its table, in `reads`
+
+  std::string_view table() const;     ///< "shape" of "shape.corners"; otherwise empty
+  std::string_view own_name() const;  ///< "corners"
+  /// What `reads` calls it: "contact.shape" of "shape.corners".
+  std::string read_name() const;
 };
 const std::vector<ContactField>& contact_fields();
+/// Whether a plugin may read a field.
+bool may_read(const PluginSpec& spec, const ContactField& field);
+
+/// Which of the fields that are there only if they are read, laws read.
+struct ContactReads {
+  bool normal_force = false, points = false, shape = false, partner = false, slip_length = false;
+
+  void add(const ContactReads& other);
+};
+ContactReads contact_reads(const PluginSpec& spec);
 
 /// The kinds of laws. Laws are immutable and shared by threads (a Lua law belongs to one worker). `values`
 /// are the parameters in the slots that the factory recorded. Laws throw PluginError. The caller checks the

@@ -73,6 +73,17 @@ double sample_number(const ParamSpec& spec, const Range& bounds, RandomStream& r
                : rng.uniform(*range.low, *range.high);
 }
 
+/// Three points within the limits of their components, with increasing first components.
+std::vector<std::vector<double>> points_within(const ParamSpec& spec, std::size_t components,
+                                               RandomStream& rng) {
+  std::vector<std::vector<double>> points(3);
+  for (std::size_t k = 0; k < components; ++k)
+    for (std::vector<double>& point : points)
+      point.push_back(sample_number(k < spec.fields.size() ? spec.fields[k] : ParamSpec(), {}, rng));
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
 /// "12.5 m/s"
 std::string number_text(double si, const ParamSpec& param) {
   if (param.type == ParamType::boolean) return si != 0 ? "true" : "false";
@@ -127,13 +138,18 @@ ParamValue sample_param(const PluginSpec& plugin, std::size_t i, const std::vect
       value.text = spec.choices[rng.integer(0, static_cast<std::int64_t>(spec.choices.size()) - 1)];
       break;
     case ParamType::points:
-      if (dimension == 2)
+      if (!spec.fields.empty())
+        value.points = points_within(spec, static_cast<std::size_t>(dimension), rng);
+      else if (dimension == 2)
         value.points = {{0, 0}, {2, -rng.uniform()}, {3, rng.uniform()}};
       else
         value.points = {{0, 0, 0}, {2, -rng.uniform(), 0}, {3, rng.uniform(), 0}, {1, 0, 1 + rng.uniform()}};
       break;
     case ParamType::plan_points:  // long and nearly straight: lines beside it do not cross
-      value.points = {{0, 0}, {1000, -rng.uniform()}, {3000, rng.uniform()}};
+      if (!spec.fields.empty())
+        value.points = points_within(spec, 2, rng);
+      else
+        value.points = {{0, 0}, {1000, -rng.uniform()}, {3000, rng.uniform()}};
       break;
     case ParamType::text:
     case ParamType::file:
@@ -160,10 +176,14 @@ bool keeps_bounds(const PluginSpec& spec, const std::vector<ParamValue>& values)
 namespace {
 
 /// Samples the given parameters in their order. Each satisfies its bounds to the parameters before it.
-std::vector<ParamValue> sample_given(const PluginSpec& spec, const std::vector<bool>& given, int dimension,
-                                     RandomStream& rng) {
+std::vector<ParamValue> sample_given(const PluginSpec& spec, const std::vector<bool>& given,
+                                     const std::vector<ParamValue>& fixed, int dimension, RandomStream& rng) {
   std::vector<ParamValue> values;
   for (std::size_t i = 0; i < spec.params.size(); ++i) {
+    if (is_given(fixed, i)) {
+      values.push_back(fixed[i]);
+      continue;
+    }
     values.push_back(given[i] ? sample_param(spec, i, values, dimension, rng) : ParamValue{});
     if (!given[i] && spec.params[i].default_text && spec.params[i].group().empty()) {
       values.back().given = true;
@@ -175,9 +195,10 @@ std::vector<ParamValue> sample_given(const PluginSpec& spec, const std::vector<b
 
 }  // namespace
 
-std::vector<std::vector<ParamValue>> sample_variants(const PluginSpec& spec, int dimension,
-                                                     RandomStream& rng) {
-  if (!can_sample(spec)) return {};
+std::vector<std::vector<ParamValue>> sample_variants(const PluginSpec& spec, int dimension, RandomStream& rng,
+                                                     const std::vector<ParamValue>& fixed) {
+  for (std::size_t i = 0; i < spec.params.size(); ++i)
+    if (spec.params[i].required() && !can_sample(spec.params[i]) && !is_given(fixed, i)) return {};
   // What may be left out: a parameter, or a group of parameters, which its first one stands for.
   std::vector<std::size_t> varied;
   for (std::size_t i = 0; i < spec.params.size(); ++i) {
@@ -202,9 +223,9 @@ std::vector<std::vector<ParamValue>> sample_variants(const PluginSpec& spec, int
         if (i == varied[place] || (!group.empty() && spec.params[i].group() == group))
           given[i] = is_given && can_sample(spec.params[i]);
     }
-    auto values = sample_given(spec, given, dimension, rng);
+    auto values = sample_given(spec, given, fixed, dimension, rng);
     for (int more = 1; more < most_samples && !keeps_bounds(spec, values); ++more)
-      values = sample_given(spec, given, dimension, rng);
+      values = sample_given(spec, given, fixed, dimension, rng);
     if (keeps_bounds(spec, values)) variants.push_back(std::move(values));
   }
   return variants;

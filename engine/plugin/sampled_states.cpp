@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/ground.h"
+#include "plugin/sampled_params.h"
 
 namespace flyrock {
 
@@ -26,6 +27,23 @@ void turn_contact(ContactState& state, int dimension, RandomStream& rng) {
   state.slip = state.slip_speed * (std::cos(turn) * along + std::sin(turn) * state.normal.cross(along));
   if (dimension == 2) state.slip.z() = 0;  // of sin(pi)
   for (int i = 0; i < dimension; ++i) state.place[i] = rng.uniform(-100, 100);
+}
+
+/// The fields that are there only if they are read. Each is sometimes absent, as in a run.
+void sample_read_fields(ContactState& state, int number, RandomStream& rng) {
+  if (number % 3 > 0) state.normal_force = state.mass * rng.uniform(0, 20);
+  state.points = static_cast<double>(rng.integer(1, 4));
+  const double corners = static_cast<double>(rng.integer(2, 12));
+  const bool is_round = corners == 2;
+  state.shape_type = is_round ? (state.dimension == 2 ? "disk" : "sphere") : "polygon";
+  state.shape_corners = is_round ? 0 : corners;
+  state.shape_elongation = is_round ? 1 : rng.uniform(0.1, 1);
+  if (state.dimension == 3) state.shape_flatness = is_round ? 1 : rng.uniform(0.1, 1);
+  state.slip_length = number % 3 > 0 ? rng.uniform() : 0;
+  if (rng.integer(0, 1) == 0) return;  // on the terrain
+  state.partner_moves = rng.integer(0, 1) == 1;
+  state.partner_radius = state.radius * rng.uniform(1, 3);
+  if (state.partner_moves) state.partner_mass = state.mass * rng.uniform(1, 30);
 }
 
 }  // namespace
@@ -54,6 +72,7 @@ ContactState sampled_contact(int number, int dimension) {
   state.group_b = "terrain.face";
   state.material = "rock";
   turn_contact(state, dimension, rng);
+  sample_read_fields(state, number, rng);
   return state;
 }
 
@@ -124,7 +143,12 @@ bool reads(const PluginSpec& spec, const std::string& field) {
 /// Collects "name = value".
 class StateText {
  public:
-  void add(std::string_view name, double value) { texts_.push_back(fmt::format("{} = {:.6g}", name, value)); }
+  void add(std::string_view name, std::string_view text) {
+    texts_.push_back(fmt::format("{} = {}", name, text));
+  }
+  void add(std::string_view name, double value) {
+    add(name, std::isnan(value) ? std::string("nil") : fmt::format("{:.6g}", value));
+  }
   void add(std::string_view name, const Vec3& vector, int dimension) {
     std::vector<std::string> numbers;
     for (int i = 0; i < dimension; ++i) numbers.push_back(fmt::format("{:.6g}", vector[i]));
@@ -149,9 +173,11 @@ void add(StateText& state, const PluginSpec& spec, const Blast& blast) {
 std::string state_text(const PluginSpec& spec, const ContactState& contact) {
   StateText state;
   for (const ContactField& field : contact_fields())
-    if (reads(spec, fmt::format("contact.{}", field.name))) {
+    if (reads(spec, field.read_name()) && may_read(spec, field)) {
       if (field.number) state.add(field.name, contact.*field.number);
       if (field.vector) state.add(field.name, contact.*field.vector, contact.dimension);
+      if (field.text && field.only_if_read) state.add(field.name, contact.*field.text);
+      if (field.flag) state.add(field.name, contact.*field.flag ? "true" : "false");
     }
   for (std::size_t i = 0; i < spec.history.size(); ++i)
     state.add("history." + spec.history[i], contact.history[i]);
@@ -174,6 +200,12 @@ std::string state_text(const PluginSpec& spec, const Blast& blast) {
   StateText state;
   add(state, spec, blast);
   return state.text();
+}
+
+std::string asked_text(const PluginSpec& spec, const std::vector<ParamValue>& given, Values values,
+                       const ContactState& contact) {
+  return fmt::format(" (parameters: {}; asked with: {})", parameters_text(spec, given, values),
+                     state_text(spec, contact));
 }
 
 }  // namespace flyrock

@@ -24,4 +24,8 @@ std::string state_text(const PluginSpec& spec, const ContactState& contact);
 std::string state_text(const PluginSpec& spec, const RockView& rock, const Blast& blast);
 std::string state_text(const PluginSpec& spec, const Blast& blast);
 
+/// What a law was asked: " (parameters: mu = 0.5; asked with: slip_speed = 8 (SI units))".
+std::string asked_text(const PluginSpec& spec, const std::vector<ParamValue>& given, Values values,
+                       const ContactState& contact);
+
 }  // namespace flyrock

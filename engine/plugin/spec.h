@@ -73,7 +73,7 @@ struct ParamSpec {
   std::vector<ParamBound> bounds;      ///< number, integer: limits that are other parameters
   std::optional<UsualRange> usual;     ///< number, integer, vector (of each component), spin
   std::vector<std::string> choices;    ///< choice: the allowed texts; number, records: words in its place
-  std::vector<ParamSpec> fields = {};  ///< records: of each record
+  std::vector<ParamSpec> fields = {};  ///< records: of each record; points: limits of each component
   bool single = false;                 ///< records: one record, written as a map
   bool from_file = false;              ///< records: may be the name of a YAML file or of a table
 

@@ -41,6 +41,7 @@ SampledLaw<LawKind> law_of(const PluginUse& use) {
 ContactState at_contact(const LawBall& ball, double approach, double slip) {
   ContactState state = first_contact({ball.mass, ball.radius}, 2, approach, slip);
   state.area = state.length = 1;
+  if (approach == 0) state.normal_force = ball.mass * gravity;
   return state;
 }
 

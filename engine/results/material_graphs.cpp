@@ -62,6 +62,7 @@ void add_graphs(const Material& material, const Scenario& scenario, const LawSub
   const auto contact = [&](double approach, double slip) {
     ContactState state = first_contact(subject, scenario.dimension, approach, slip);
     state.material = material.name;
+    if (approach == 0) state.normal_force = subject.mass * scenario.gravity.constant;
     return state;
   };
   if (const auto& use = material.restitution)

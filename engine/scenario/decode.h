@@ -15,6 +15,7 @@ struct Overrides {
   std::vector<std::string> set;  ///< "path=value", value in YAML
   std::optional<std::uint64_t> seed = {}, trials = {};
   std::vector<std::string> arguments = {};  ///< "name=value", of the Lua files of the scenario
+  bool confined = false;  ///< refuses native plugins, and files outside of the scenario's folder
 };
 
 /// Applies `--set`, `--seed` and `--trials` to the tree. A path must exist in it or be a known key.

@@ -55,9 +55,8 @@ class RockTableDecoder {
 
  private:
   static std::optional<RockForm> form_named(const Value& value) {
-    constexpr std::array<std::string_view, 4> names = {"box", "cut", "ellipsoid", "sphere"};
-    for (std::size_t f = 0; f < names.size(); ++f)
-      if (value.text() && *value.text() == names[f]) return static_cast<RockForm>(f);
+    for (const RockForm form : {RockForm::box, RockForm::cut, RockForm::ellipsoid, RockForm::sphere})
+      if (value.text() && *value.text() == name_of(form)) return form;
     return std::nullopt;
   }
 

@@ -100,9 +100,15 @@ std::vector<double> point_of(DecodeContext& context, const Node& node, const Par
   ParamSpec coordinate = spec;
   coordinate.type = ParamType::number;
   std::vector<double> point;
-  for (const Node& item : items)
-    if (auto si = quantity_of(context, item, spec.dimension, {}, expected_text(coordinate)))
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    const auto si = quantity_of(context, items[k], spec.dimension, {}, expected_text(coordinate));
+    if (!si) continue;
+    const std::string fault = k < spec.fields.size() ? limit_fault(spec.fields[k], *si, *si) : std::string();
+    if (fault.empty())
       point.push_back(*si);
+    else
+      items[k].error(context.diagnostics, fmt::format("is {}, {}", shown(*items[k].value), fault));
+  }
   return point.size() == items.size() ? point : std::vector<double>();
 }
 

@@ -1,8 +1,14 @@
 #include "scenario/rock_table.h"
 
+#include <array>
 #include <cmath>
 
 namespace flyrock {
+
+std::string_view name_of(RockForm form) {
+  constexpr std::array<std::string_view, 4> form_words = {"box", "cut", "ellipsoid", "sphere"};
+  return form_words[static_cast<std::size_t>(form)];
+}
 
 double volume_of(RockForm form, const Vec3& lengths) {
   const double box = lengths.prod();

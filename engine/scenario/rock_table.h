@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "math/space.h"
@@ -17,6 +18,7 @@ enum class RockForm {
   sphere      ///< with the volume of the ellipsoid
 };
 
+std::string_view name_of(RockForm form);
 /// The volume of a form with the lengths of its bounding box [m3].
 double volume_of(RockForm form, const Vec3& lengths);
 

@@ -159,6 +159,12 @@ const MadeBody<D>& TrialBuilder<D>::made_body(const RockPlan<D>& plan, const Tri
       return make_body(std::move(shape.contactors), made.density, made.mass, shape.own);
     });
   }
+  if (!plan.shape.contactors.empty())
+    made.body.shape_type = group.population.plugin->spec.name;
+  else if (group.table && group.table->form)
+    made.body.shape_type = name_of(*group.table->form);
+  else
+    made.body.shape_type = group.shape->plugin->spec.name;
   made.body.group = group.name;
   return last = std::move(made);
 }

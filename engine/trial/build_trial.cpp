@@ -117,6 +117,7 @@ std::shared_ptr<const typename TrialBuilder<D>::Terrain> TrialBuilder<D>::terrai
 
 template <int D>
 Vec<D> TrialBuilder<D>::gravity(const DrawKey& key) const {
+  if (scenario_.gravity_over_time) return scenario_.gravity_over_time->at(0).template head<D>();
   Vec<D> down = Vec<D>::Zero();
   down[D - 1] = -number(scenario_.gravity, key);
   return down;
@@ -433,6 +434,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     rock.has_own_inertia = shape.own.inertia.has_value();
     if (shape_is_drawn) rock.outcomes.set_shape(body);
     body.group = plan.name;
+    body.shape_type = plan.shape.plugin->spec.name;
     if (!plan.fixed && !plan.driven) {
       at_path(path + "shape", [&] { refuse_massless(body); });
       at_path(path + mass_key(plan), [&] { refuse_extremes(body); });

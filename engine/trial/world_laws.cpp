@@ -13,6 +13,8 @@ void bind(BoundLaw<LawKind, Answer>& bound, const std::unique_ptr<LawKind>& law,
           const std::optional<PluginUse>& use, const Scenario& scenario, const DrawKey& key) {
   if (!law) return;
   bound.law = law.get();
+  bound.use = &*use;
+  bound.reads = contact_reads(use->plugin->spec);
   bound.values = values_of(*use, scenario, key);
   bound.memory = use->plugin->spec.history.size();
   bound.per_contact = use->plugin->spec.history_of_contact;
@@ -43,6 +45,7 @@ PairLaws* WorldLaws::make(int material, const DrawKey& key) {
   bind(laws.friction, of_material.friction, plan.friction, scenario_, key);
   bind(laws.rolling, of_material.rolling, plan.rolling, scenario_, key);
   bind(laws.unilateral, of_material.unilateral, plan.unilateral, scenario_, key);
+  laws.mu = plan.mu_over_time.get();
   if (plan.roughness)
     laws.roughness = {plan.roughness->constant,
                       plan.roughness->is_constant() ? nullptr : &scenario_.draws[plan.roughness->draw]};

@@ -6,6 +6,7 @@
 #include "collision/manifold_reduction.h"
 #include "world/corners.h"
 #include "world/manifold.h"
+#include "world/proportions.h"
 #include "world/world.h"
 
 namespace flyrock {
@@ -114,6 +115,12 @@ ContactState World<D>::state_of(const Contact& contact, double h) {
   state.place.template head<D>() = contact.at.point + origin;
   state.slip.template head<D>() =
       side * contact_frame(contact.at.normal).template rightCols<D - 1>() * tangential(contact.before);
+  const ContactReads& reads = contact.laws->reads();
+  if (reads.normal_force && contact.manifold < 0) state.normal_force = contact.normal_force;
+  if (reads.points) state.points = static_cast<double>(patch_.size());
+  if (reads.slip_length) state.slip_length = contact.slip_length;
+  if (reads.shape) set_shape(state, rock);
+  if (reads.partner) set_partner(state, contact.other_than(rock));
   state.group_a = body.group;
   if (contact.antagonist >= 0)
     state.group_b = bodies[contact.other_than(rock)].group;
@@ -121,6 +128,25 @@ ContactState World<D>::state_of(const Contact& contact, double h) {
     state.group_b = terrain_->names()[part_of(*terrain_, contact.at.against)];
   state.material = contact.laws->material;
   return state;
+}
+
+template <int D>
+void World<D>::set_shape(ContactState& state, int rock) {
+  Body<D>& body = bodies[rock];
+  if (!body.proportions) body.proportions = proportions_of(body);
+  state.shape_type = body.shape_type;
+  state.shape_elongation = body.proportions->elongation;
+  state.shape_flatness = body.proportions->flatness;
+  state.shape_corners = body.proportions->corners;
+}
+
+template <int D>
+void World<D>::set_partner(ContactState& state, int partner) const {
+  if (partner < 0) return;
+  const Body<D>& body = bodies[partner];
+  state.partner_moves = body.moves();
+  state.partner_radius = body.radius;
+  if (body.moves()) state.partner_mass = body.mass;
 }
 
 /// Groups the contacts that close faster than rest_speed into manifolds, and counts each manifold as one
@@ -172,6 +198,7 @@ void World<D>::ask_law(Contact& contact, double h) {
     if (laws->reads_state()) state = state_of(contact, h);
     contact.law = laws->ask(state, impact, contact.history);
   }
+  if (laws->mu) contact.law.mu_s = contact.law.mu_d = laws->mu->at(settling ? 0 : time + 0.5 * h).x();
   // The waves of a deformable block are its restitution.
   if (settling || deforms(contact)) static_cast<Restitution&>(contact.law) = {};
 }
@@ -189,6 +216,8 @@ void World<D>::ask_laws(double h) {
 
 #define FLYROCK_INSTANTIATE(D)                                      \
   template ContactState World<D>::state_of(const Contact&, double); \
+  template void World<D>::set_shape(ContactState&, int);            \
+  template void World<D>::set_partner(ContactState&, int) const;    \
   template int World<D>::rock_of(int, int) const;                   \
   template void World<D>::begin_manifolds();                        \
   template void World<D>::count_impact(Contact&);                   \

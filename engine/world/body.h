@@ -2,8 +2,10 @@
 // A rigid body.
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "collision/geometry.h"
@@ -68,6 +70,13 @@ inline std::array<double, 4> quaternion_of(const Attitude<3>& attitude) {
 inline double spin_speed(double w) { return std::abs(w); }
 inline double spin_speed(const Vec3& w) { return w.norm(); }
 
+/// How long, flat and angular a body is (world/proportions.h).
+struct Proportions {
+  double elongation = 1;
+  double flatness = std::numeric_limits<double>::quiet_NaN();  ///< 3D only
+  double corners = 0;
+};
+
 /// SI units. x is the centre of mass in the world frame. Contactors are given in the body's frame: its origin
 /// is the centre of mass, and in 3D its axes are the principal axes.
 template <int D>
@@ -77,6 +86,9 @@ struct Body {
   using Contactor = typename Geometry<D>::Contactor;
 
   std::string group;
+  /// Name of the plugin that has made its shape; of a shape that a population gives, the population's.
+  std::string_view shape_type;
+  std::optional<Proportions> proportions;  ///< found when a law first reads them
   BodyKind kind = BodyKind::dynamic;
   bool present = true;  ///< false once it has left the run; it then has no contacts
   std::vector<Contactor> contactors;

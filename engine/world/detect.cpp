@@ -236,6 +236,8 @@ void World<D>::match_last() {
       contact.stretch = found->stretch;
       contact.sunk = std::min(found->sunk, std::max(0.0, -contact.at.gap));
       contact.age = found->age;
+      contact.normal_force = found->normal_force;
+      contact.slip_length = found->slip_length;
       contact.has_turned = found->has_turned;
       contact.carried = found->carried;
       contact.sticking = found->sticking;

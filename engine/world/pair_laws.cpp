@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "plugin/sampled_states.h"
+
 namespace flyrock {
 
 namespace {
@@ -18,10 +20,17 @@ Answer answer(BoundLaw<LawKind, Answer>& bound, std::uint64_t& asked, ContactSta
   const bool of_pair = !bound.per_contact && bound.memory > 0;
   if (of_pair) bound.scratch = bound.before;
   state.history = of_pair ? std::span(bound.scratch) : own.first(bound.memory);
-  const Answer given = ask(*bound.law, bound.values, state);
+  Answer given;
+  try {
+    given = ask(*bound.law, bound.values, state);
+    check_answer(*bound.law, given);
+  } catch (const PluginError& error) {
+    if (!bound.use) throw;
+    throw PluginError(error.what() +
+                      asked_text(bound.use->plugin->spec, bound.use->values, bound.values, state));
+  }
   for (std::size_t k = 0; of_pair && k < bound.memory; ++k)
     if (bound.scratch[k] != bound.before[k]) bound.history[k] = bound.scratch[k];
-  check_answer(*bound.law, given);
   if (bound.constant()) bound.kept = given;
   return given;
 }
@@ -112,7 +121,10 @@ const PairLaws::Traits& PairLaws::traits() {
              .remembers = any(has_memory),
              .remembers_contacts = any(of_contacts),
              .draws_at_impact = any(is_drawn),
-             .step_draws_at_impact = is_drawn(friction) || is_drawn(rolling) || is_drawn(unilateral)};
+             .step_draws_at_impact = is_drawn(friction) || is_drawn(rolling) || is_drawn(unilateral),
+             .reads = {}};
+  const auto read_by = [this](const auto& bound) { traits_->reads.add(bound.reads); };
+  read_by(restitution), read_by(friction), read_by(rolling), read_by(unilateral);
   return *traits_;
 }
 

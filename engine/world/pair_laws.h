@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "math/over_time.h"
 #include "plugin/contact_law.h"
+#include "plugin/registry.h"
 #include "record/material_use.h"
 
 namespace flyrock {
@@ -20,6 +22,8 @@ using ContactHistory = std::array<double, 4 * most_history>;
 template <class LawKind, class Answer>
 struct BoundLaw {
   const LawKind* law = nullptr;
+  const PluginUse* use = nullptr;  ///< where the scenario names it; null for a law made by hand
+  ContactReads reads;
   std::vector<double> values;
   std::optional<Answer> kept;  ///< of a constant law
   struct DrawnSlot {
@@ -60,6 +64,7 @@ class PairLaws {
   BoundLaw<RollingLaw, Rolling> rolling;
   BoundLaw<UnilateralLaw, Unilateral> unilateral;
   Roughness roughness;
+  const OverTime* mu = nullptr;      ///< of friction, in place of what its law answers; null: the law decides
   const Streams* streams = nullptr;  ///< of the draws
   DrawKey key;  ///< trial and rock, for draws per impact; of two bodies of the one with the lower index
   DrawKey key_of_second;  ///< the same of the other one
@@ -84,6 +89,8 @@ class PairLaws {
   bool is_known() const { return known_.has_value(); }  ///< does not count as a call
   /// Whether a law reads the state of the contact.
   bool reads_state() { return traits().reads_state; }
+  /// What the laws read of the fields that are there only if they are read.
+  const ContactReads& reads() { return traits().reads; }
   /// Whether a law keeps memory of the pair.
   bool remembers() { return traits().remembers; }
   /// Whether a law keeps memory of each contact.
@@ -100,6 +107,7 @@ class PairLaws {
     bool reads_state, remembers, remembers_contacts;
     bool draws_at_impact;       ///< a parameter of any law
     bool step_draws_at_impact;  ///< one of friction, rolling or unilateral
+    ContactReads reads;
   };
   const Traits& traits();
   std::optional<Traits> traits_;

@@ -247,6 +247,13 @@ typename World<D>::Outcome World<D>::keep(double duration, bool new_touch) {
     const double held = c.mu() * c.impulse[0] + duration * c.law.c_t;
     c.sticking = held > 0 && tangential(c.impulse).norm() < (1 - 1e-9) * held;
     c.age = closed ? c.age + duration : 0;
+    if (duration > 0) c.normal_force = c.impulse[0] / duration;
+    if (!closed) c.normal_force = ContactState::none;
+    if (c.laws && c.laws->reads().slip_length) {
+      // The way of the scheme, of which the velocity before has the share 1 - theta
+      const Row mean = (1 - settings_.theta) * c.before + settings_.theta * after_[a];
+      c.slip_length = closed ? c.slip_length + tangential(mean).norm() * duration : 0;
+    }
     c.stretch = closed ? stretch_after(static_cast<int>(a), duration) : Vec<D>::Zero();
     outcome.in_contact = outcome.in_contact || c.carried;
   }

@@ -64,7 +64,9 @@ struct WorldContact {
   double born = 0;                  ///< m, the overlap from which a spring counts (World::overlap_at_birth)
   double sunk = 0;                  ///< m, how deep the step sank a node of a deformable block until it met
   double age = 0;                   ///< s since the contact closed
-  bool carried = false;             ///< true if the contact did not open in the last step
+  double normal_force = ContactState::none;  ///< N, of the last accepted step
+  double slip_length = 0;                    ///< m, slipped since it closed; kept only if a law reads it
+  bool carried = false;                      ///< true if the contact did not open in the last step
   bool sticking = false;
   double speed_scale = 0;  ///< m/s, as ContactProblem<D>::Contact
   int manifold = -1;       ///< index of the manifold among the impacts of this step; -1: no impact
@@ -99,6 +101,10 @@ class World {
 
   /// Adds a body; returns its index.
   int add(Body<D> body);
+  /// Changes gravity [m/s2]. The potential energy that bodies gain or lose by it is energy_given.
+  void set_gravity(const Vec<D>& gravity);
+  /// Changes the force on a body that contacts move [N].
+  void set_force(int body, const Vec<D>& force);
   /// Gives the bodies their velocities that are held until now or earlier.
   void release_held();
   /// Removes the body that was added last.
@@ -309,7 +315,7 @@ class World {
   void put_gaps(double h);
   void find_lone_bounces();
   void move_densely(double h);
-  double unsolved_depth();
+  double unsolved_depth(double h);
   template <class Use>
   void see_ahead(double h, Use use);
   void find_dense_contacts(double h);
@@ -339,6 +345,8 @@ class World {
   void count_impact(Contact& contact);
   void begin_manifolds();
   ContactState state_of(const Contact& contact, double h);
+  void set_shape(ContactState& state, int rock);
+  void set_partner(ContactState& state, int partner) const;
   void ask_law(Contact& contact, double h);
   void ask_laws(double h);
 

@@ -13,19 +13,12 @@ namespace flyrock {
 
 namespace {
 
-/// The contact, and after it the law's memory, which the contact gives access to.
-std::vector<View> contact_and_history(lua_State* lua, const PluginSpec& spec) {
-  if (spec.history.empty()) return {contact_view(lua)};
-  const View history = history_view(lua, spec);
-  return {contact_view(lua, &history), history};
-}
-
 /// The common part of all laws; `Kind` is the interface of one.
 template <class Kind>
 class LuaLaw : public Kind {
  public:
   LuaLaw(std::shared_ptr<const LuaPlugin> plugin, Params& params)
-      : call_(std::move(plugin), params, contact_and_history, Budget::law_limit) {}
+      : call_(std::move(plugin), params, contact_views, Budget::law_limit) {}
   bool constant() const override { return call_.plugin().only_parameters; }
   std::string origin() const override { return call_.plugin().origin; }
 

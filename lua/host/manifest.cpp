@@ -152,7 +152,8 @@ class ManifestReader {
     if (!reads) return;
     std::vector<std::string> known;
     for (const BlastFieldInfo& field : blast_fields()) known.push_back(fmt::format("blast.{}", field.path));
-    for (const ContactField& field : contact_fields()) known.push_back(fmt::format("contact.{}", field.name));
+    for (const ContactField& field : contact_fields())
+      if (known.back() != field.read_name()) known.push_back(field.read_name());
     for (const std::string& text : *reads) {
       const FieldRead read = read_of(text);
       if (std::find(known.begin(), known.end(), read.field) == known.end()) {

@@ -47,6 +47,7 @@ class ParamReader {
       read_limits();
       read_usual();
     }
+    if (spec_.type == ParamType::points || spec_.type == ParamType::plan_points) read_component_limits();
     if (spec_.type == ParamType::records) read_records();
     read_default();
     if (spec_.optional && table_.field("default"))
@@ -116,6 +117,31 @@ class ParamReader {
     spec_.below = limit(BoundRelation::below);
     if (spec_.min && spec_.above) table_.error("above", "expected one of `min` and `above`, not both");
     if (spec_.max && spec_.below) table_.error("below", "expected one of `max` and `below`, not both");
+  }
+
+  /// Limits of the components of points: lists with a number for each, `min = { 0, 0 }`.
+  void read_component_limits() {
+    const std::size_t most = spec_.type == ParamType::points ? 3 : 2;
+    const auto read = [&](BoundRelation relation, std::optional<double> ParamSpec::*limit) {
+      const std::string key(key_of(relation));
+      const std::optional<std::vector<double>> limits = table_.numbers(key);
+      if (!limits) return;
+      if (limits->size() < 2 || limits->size() > most)
+        return table_.error(key, fmt::format("has {} numbers, expected one for each component: {}",
+                                             limits->size(), most == 2 ? "2" : "2 or 3"));
+      spec_.fields.resize(std::max(spec_.fields.size(), limits->size()));
+      for (std::size_t k = 0; k < limits->size(); ++k) spec_.fields[k].*limit = si((*limits)[k]);
+    };
+    read(BoundRelation::at_least, &ParamSpec::min);
+    read(BoundRelation::at_most, &ParamSpec::max);
+    read(BoundRelation::above, &ParamSpec::above);
+    read(BoundRelation::below, &ParamSpec::below);
+    for (std::size_t k = 0; k < spec_.fields.size(); ++k) {
+      ParamSpec& component = spec_.fields[k];
+      component.name = "xyz"[k];
+      component.unit = spec_.unit;
+      component.dimension = spec_.dimension;
+    }
   }
 
   void read_usual() {

@@ -90,6 +90,7 @@ void LuaSession::open_libraries(lua_State* lua, const std::string& share) {
   add_function("scenario", guarded<scenario>);
   add_function("plugin", guarded<plugin>);
   add_function("argument", guarded<argument>);
+  add_function("over_time", guarded<over_time>);
   run_file(lua, *module);
   lua_createtable(lua, 0, 0);
   make_strict(lua, -2, "fr");
@@ -170,6 +171,7 @@ std::optional<Value> LuaSession::read_scenario(const std::string& path, const st
   load(*file, diagnostics, [&](lua_State* lua) {
     for (const Marked& marked : scenarios_)
       if (marked.table == lua_topointer(lua, -1)) {
+        loads_.sample(lua);
         value = read_value(lua, -1, marked.places, diagnostics, [](const std::string&) { return false; });
         return;
       }
@@ -180,6 +182,7 @@ std::optional<Value> LuaSession::read_scenario(const std::string& path, const st
   if (registered_ > 0) sources_.push_back({name_in_hash(shown), file->text});
   scenario_folder_.reset();
   scenarios_.clear();
+  loads_.clear();
   if (diagnostics.has_errors()) return std::nullopt;
   return value;
 }
@@ -237,6 +240,14 @@ int LuaSession::argument(lua_State* lua) {
   return 1;
 }
 
+int LuaSession::over_time(lua_State* lua) {
+  LuaSession& session = self(lua);
+  if (!session.scenario_folder_)
+    throw std::runtime_error("fr.over_time is for Lua scenarios: it stands at the top level of one");
+  session.loads_.answer(lua);
+  return 1;
+}
+
 void LuaSession::register_plugin(lua_State* lua) {
   const auto [file, places] = calling(lua, "plugin");
   charge(lua, 90'000);  // because `flyrock check` calls each plugin thousands of times
@@ -270,6 +281,8 @@ std::optional<Factory> LuaSession::native_factory(const PluginSpec& spec, const 
     diagnostics_->error(at, "native", text);
     return std::nullopt;
   };
+  if (refuses_natives_ && !builtin_)
+    return refuse("a plugin in native code, which --confined refuses: write it in Lua");
   FactoryTable own;
   std::string object = "flyrock_plugins.so";
   if (!builtin_) {

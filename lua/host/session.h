@@ -10,6 +10,7 @@
 
 #include "document/diagnostics.h"
 #include "document/value.h"
+#include "host/load_functions.h"
 #include "host/locate.h"
 #include "host/lua_arguments.h"
 #include "host/source_files.h"
@@ -48,6 +49,9 @@ class LuaSession {
 
   const Registry& registry() const { return registry_; }
 
+  /// From here on a plugin file with `native` is an error.
+  void refuse_natives() { refuses_natives_ = true; }
+
   /// From here on `print` of Lua code writes nothing to stderr, and its lines wait to be taken.
   void collect_prints();
   PrintLog take_prints();
@@ -70,6 +74,7 @@ class LuaSession {
   static int scenario(lua_State* lua);
   static int plugin(lua_State* lua);
   static int argument(lua_State* lua);
+  static int over_time(lua_State* lua);
   static int require(lua_State* lua);
 
   void open_libraries(lua_State* lua, const std::string& share);
@@ -95,6 +100,7 @@ class LuaSession {
   SourceFiles files_;
   std::vector<SourceText> sources_;
   LuaArguments arguments_;
+  LoadFunctions loads_;
   std::map<std::string, int> required_;  // by path: reference of the result; 0 while it is being loaded
   std::vector<Marked> scenarios_;
 
@@ -103,6 +109,7 @@ class LuaSession {
   const LuaFile* main_ = nullptr;
   std::optional<std::string> scenario_folder_;  // while a scenario is loaded, as shown
   bool builtin_ = false;
+  bool refuses_natives_ = false;
   int registered_ = 0;
 };
 

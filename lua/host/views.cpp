@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <lua.hpp>
+#include <map>
 
 #include "sandbox/read_only.h"
 #include "sandbox/state.h"
@@ -17,26 +18,50 @@ void push_text(lua_State* lua, std::string_view text) { lua_pushlstring(lua, tex
 
 // contact
 
-/// Fields of a contact are numbered from 0. Only `history` has the number history_field - r, where r is the
-/// Lua reference of the law's view of its memory.
-constexpr int history_field = -1;
+/// A field that `reads` does not declare has its number plus this, for a better message than "no such field".
+constexpr int undeclared = 1000;
+
+[[noreturn]] void refuse_undeclared(lua_State* lua, std::string_view field, std::string_view read_name) {
+  raise(lua, fmt::format("`{}` is not declared: add \"{}\" to `reads` of the manifest", field, read_name));
+}
+
+/// Fields of a contact have their numbers in contact_fields(). What is a view of its own has a negative
+/// number: that of its Lua reference, negated. The view `contact.history` shows the law's memory, the others
+/// (`shape`, `partner`) show fields of the same contact.
+struct ContactPart {
+  int reference;
+  bool is_memory;
+
+  int number() const { return -2 * reference - is_memory; }
+  static ContactPart of(int number) { return {-number / 2, -number % 2 == 1}; }
+};
 
 void push_contact(lua_State* lua, const void* object, int field) {
   const auto& contact = *static_cast<const ContactState*>(object);
-  if (field <= history_field) return View::push(lua, history_field - field, contact.history.data());
-  const ContactField& info = contact_fields()[field];
-  if (info.number)
-    lua_pushnumber(lua, contact.*info.number);
-  else
+  if (field < 0) {
+    const ContactPart part = ContactPart::of(field);
+    return View::push(lua, part.reference, part.is_memory ? contact.history.data() : object);
+  }
+  const ContactField& info = contact_fields()[field % undeclared];
+  if (field >= undeclared) refuse_undeclared(lua, info.read_name(), info.read_name());
+  if (info.text)
     push_text(lua, contact.*info.text);
+  else if (info.flag)
+    lua_pushboolean(lua, contact.*info.flag);
+  else if (info.only_if_read && std::isnan(contact.*info.number))
+    lua_pushnil(lua);
+  else
+    lua_pushnumber(lua, contact.*info.number);
 }
 
 ShownVector vector_of_contact(const void* object, int field) {
-  if (field <= history_field || !contact_fields()[field].vector) return {};
+  if (field < 0 || field >= undeclared || !contact_fields()[field].vector) return {};
   const auto& contact = *static_cast<const ContactState*>(object);
   return {&(contact.*contact_fields()[field].vector), contact.dimension};
 }
 constexpr ViewType contact_type{.name = "contact", .push = push_contact, .vector = vector_of_contact};
+constexpr ViewType shape_of_contact{.name = "contact.shape", .push = push_contact};
+constexpr ViewType partner_of_contact{.name = "contact.partner", .push = push_contact};
 
 void push_history(lua_State* lua, const void* object, int field) {
   lua_pushnumber(lua, static_cast<const double*>(object)[field]);
@@ -101,14 +126,10 @@ int direction(lua_State* lua) {
 
 // blast
 
-/// A field that `reads` does not declare has its number plus this, for a better message than "no such field".
-constexpr int undeclared = 1000;
-
 void push_blast(lua_State* lua, const void* object, int field) {
   const BlastFieldInfo& info = blast_fields()[field % undeclared];
   if (field >= undeclared)
-    raise(lua, fmt::format("`blast.{}` is not declared: add \"blast.{}\" to `reads` of the manifest",
-                           info.name, info.path));
+    refuse_undeclared(lua, fmt::format("blast.{}", info.name), fmt::format("blast.{}", info.path));
   lua_pushnumber(lua, (*static_cast<const Blast*>(object))[info.field]);
 }
 constexpr ViewType blast_type{"blast", push_blast};
@@ -292,16 +313,30 @@ std::vector<std::pair<std::string_view, int>> numbered(const Names& names) {
 
 }  // namespace
 
-View contact_view(lua_State* lua, const View* history) {
-  std::vector<std::pair<std::string_view, int>> fields;
-  for (const ContactField& field : contact_fields())
-    fields.emplace_back(field.name, static_cast<int>(fields.size()));
-  if (history) fields.emplace_back("history", history_field - history->reference());
-  return View(lua, contact_type, fields);
-}
-
-View history_view(lua_State* lua, const PluginSpec& spec) {
-  return View(lua, history_type, numbered(spec.history));
+std::vector<View> contact_views(lua_State* lua, const PluginSpec& spec) {
+  using Fields = std::vector<std::pair<std::string_view, int>>;
+  Fields own;
+  std::map<std::string_view, Fields> tables;
+  for (int i = 0; i < static_cast<int>(contact_fields().size()); ++i) {
+    const ContactField& field = contact_fields()[i];
+    const bool declared = may_read(spec, field);
+    if (!field.table().empty() && declared)
+      tables[field.table()].emplace_back(field.own_name(), i);
+    else
+      own.emplace_back(field.table().empty() ? field.name : field.table(), i + (declared ? 0 : undeclared));
+  }
+  std::vector<View> parts;
+  for (const auto& [name, fields] : tables) {
+    parts.emplace_back(lua, name == "shape" ? shape_of_contact : partner_of_contact, fields);
+    own.emplace_back(name, ContactPart{parts.back().reference(), false}.number());
+  }
+  if (!spec.history.empty()) {
+    parts.emplace_back(lua, history_type, numbered(spec.history));
+    own.emplace_back("history", ContactPart{parts.back().reference(), true}.number());
+  }
+  std::vector<View> views{View(lua, contact_type, own)};
+  views.insert(views.end(), parts.begin(), parts.end());
+  return views;
 }
 
 View rock_view(lua_State* lua) { return View(lua, rock_type, numbered(rock_names)); }

@@ -7,11 +7,10 @@
 
 namespace flyrock {
 
-/// A view of a contact. With `history`, its field `history` is that view, pointed at the contact's memory.
-View contact_view(lua_State* lua, const View* history = nullptr);
-/// The memory of a law, by the names in its manifest. It is the only view that Lua may write, with finite
-/// numbers.
-View history_view(lua_State* lua, const PluginSpec& spec);
+/// The views of a contact for a law: first that of the contact, then those of its fields that are tables:
+/// `shape` and `partner`, if `reads` names them, and `history`, the law's memory by the names in its
+/// manifest. The memory is the only view that Lua may write, with finite numbers.
+std::vector<View> contact_views(lua_State* lua, const PluginSpec& spec);
 /// The fields of RockView; position and outward are { x, y } in 2D. Method rock:direction(speed, elevation [,
 /// azimuth]): a velocity, with angles in rad above the outward horizontal.
 View rock_view(lua_State* lua);

@@ -46,6 +46,16 @@ int add_place(lua_State* lua) {
   return 1;
 }
 
+/// What helps against an error that Lua words for itself.
+std::string cure_of(std::string_view text) {
+  if (text.ends_with("C stack overflow"))
+    return ": brackets, or functions that Lua calls for a function (table.sort, string.gsub, pcall, "
+           "metamethods), nest deeper than 200; let them nest less";
+  if (text.ends_with("stack overflow"))
+    return ": a function calls itself without end, or too often; give it an end, or write a loop";
+  return "";
+}
+
 }  // namespace
 
 LuaState::LuaState(const Wording& wording) : budget_(std::make_unique<Budget>()) {
@@ -68,7 +78,8 @@ void LuaState::run_protected(double instructions, Body body, void* data) {
   const int status = lua_pcall(lua_, 1, 0, -3);
   if (status != LUA_OK) {
     name_refusal(lua_);
-    const std::string text = error_text(lua_);
+    std::string text = error_text(lua_);
+    text += cure_of(text);
     lua_settop(lua_, 0);
     throw LuaError(text, budget_->raised_at);
   }

@@ -74,6 +74,81 @@ return fr.plugin { kind = "friction", name = "y", doc = "d",
   CHECK(call(folder, "check y.lua").out == "y.lua: a sound plugin\n");
 }
 
+TEST_CASE("check calls a plugin with the parameters of --set, and refuses those that it has not") {
+  const Folder folder;
+  folder.write("x.lua", R"(local fr = require "flyrock"
+return fr.plugin { kind = "friction", name = "x", doc = "d",
+  params = { mu = fr.number { default = 0.5, min = 0, max = 2, doc = "d" } },
+  friction = function(p, c) if p.mu == 1.25 then error("here") end return p.mu end }
+)");
+  CHECK(call(folder, "check x.lua").code == 0);
+  CHECK(call(folder, "check x.lua --set mu=1.5").out == "x.lua: a sound plugin\n");
+  const Output here = call(folder, "check x.lua --set mu=1.25");
+  CHECK(here.code == 2);
+  CHECK(here.err.find("parameters: mu = 1.25") != std::string::npos);
+  CHECK(call(folder, "check x.lua --set mu=3").err.find("mu: is `3`, must be at most 2") !=
+        std::string::npos);
+  CHECK(call(folder, "check x.lua --set nu=3").err.find("nu: unknown key") != std::string::npos);
+  CHECK(call(folder, "check x.lua --trials 3").code == 2);
+}
+
+TEST_CASE("a table of e over the speed passes check, because its columns have limits") {
+  const Folder folder;
+  folder.write("x.lua", R"(local fr = require "flyrock"
+return fr.plugin { kind = "restitution", name = "x", doc = "d",
+  params = { e = fr.plan_points { min = { 0, 0 }, max = { 100, 1 }, doc = "e over the speed of approach, m/s" } },
+  impact = function(p, c)
+    local last = p.e[1]
+    for i = 2, #p.e do
+      local next, v = p.e[i], math.max(c.approach_speed, p.e[1][1])
+      if v < next[1] then return last[2] + (next[2] - last[2]) * (v - last[1]) / (next[1] - last[1]) end
+      last = next
+    end
+    return last[2]
+  end }
+)");
+  CHECK(call(folder, "check x.lua").out == "x.lua: a sound plugin\n");
+  const Output high = call(folder, "check x.lua --set 'e=[[0, 0.5], [10, 1.2]]'");
+  CHECK(high.code == 2);
+  CHECK(high.err.find("e.1.1: is `1.2`, must be at most 1") != std::string::npos);
+}
+
+TEST_CASE("a law that fails in a run says with which parameters and state, as check does") {
+  const Folder folder;
+  folder.write("x.lua", R"(local fr = require "flyrock"
+return fr.plugin { kind = "friction", name = "x", doc = "d", reads = { "contact.slip_length" },
+  params = { mu = fr.number { default = 0.5, min = 0, doc = "d" } },
+  friction = function(p, c) return c.slip_length > 1.5 and -p.mu or p.mu end }
+)");
+  folder.write("x.yaml", R"(flyrock: 1
+dimension: 2
+method: nscd
+plugins: [x.lua]
+terrain: { type: plane, material: floor }
+materials: { floor: { friction: { type: x, mu: 0.25 } } }
+bodies:
+  - { name: block, shape: { type: polygon, vertices: [[-1, -0.1], [1, -0.1], [1, 0.1], [-1, 0.1]] }, mass: 1 kg, position: [0, 0.1], velocity: [5, 0] }
+stop: { time: 1 s }
+)");
+  const Output output = call(folder, "run x.yaml -o out --quiet");
+  CHECK(output.code == 3);
+  INFO(output.err);
+  CHECK(output.err.find(
+            "friction() returned mu_s = -0.25, must be at least 0 (parameters: mu = 0.25; asked with: "
+            "slip_length = 1.5") != std::string::npos);
+}
+
+TEST_CASE("a law that calls itself without end is told so") {
+  const Folder folder;
+  folder.write("x.lua", R"(local fr = require "flyrock"
+local function f(x) return f(x) + 1 end
+return fr.plugin { kind = "friction", name = "x", doc = "d", params = {}, friction = function(p, c) return f(1) end }
+)");
+  CHECK(call(folder, "check x.lua")
+            .err.find("stack overflow: a function calls itself without end, or too often; give it an end, or "
+                      "write a loop") != std::string::npos);
+}
+
 TEST_CASE("a native plugin whose file is cut ends flyrock with exit code 2") {
   const Folder folder;
   // flyrock's own law under another name, with the module that has it.

@@ -1,4 +1,4 @@
-// flyrock new: what it copies is sound, and nothing is overwritten. flyrock grade.
+// flyrock new: what it copies is sound, and nothing is overwritten.
 
 #include <catch2/catch.hpp>
 #include <sstream>
@@ -33,6 +33,19 @@ TEST_CASE("new lists what there is, and each template of a plugin is a sound one
   CHECK(templates == 8);
 }
 
+TEST_CASE("A shipped scenario is found by its name from any folder, unless a file has the name") {
+  const Folder folder;
+  for (const char* name : {"quarry/catch_ditch", "quarry/catch_ditch.yaml", "ninh_dan/benches_2d.lua"}) {
+    INFO(name);
+    CHECK(call(folder, std::string("check ") + name).code == 0);
+  }
+  CHECK(call(folder, "check quarry/no_such").code == 2);
+  CHECK(call(folder, "check --confined quarry/catch_ditch").code == 2);
+  fs::create_directories(folder.path() / "quarry");
+  folder.write("quarry/catch_ditch.yaml", "flyrock: 1\n");
+  CHECK(call(folder, "check quarry/catch_ditch.yaml").code == 2);
+}
+
 TEST_CASE("new copies a scenario with the files that it names, and never over a file", "[slow]") {
   const Folder folder;
   const Output made = call(folder, "new quarry/permit -o site");
@@ -50,27 +63,6 @@ TEST_CASE("new copies a scenario with the files that it names, and never over a 
   const Output wrong = call(folder, "new quarry/fence_desing");
   CHECK(wrong.code == 2);
   CHECK(wrong.err.find("did you mean `quarry/fence_design`") != std::string::npos);
-}
-
-TEST_CASE("grade judges students by the expectations of a lab") {
-  const Folder folder;
-  REQUIRE(call(folder, "new course/bouncing_ball -o good").code == 0);
-  REQUIRE(call(folder, "new course/bouncing_ball -o wrong").code == 0);
-  const std::string name = folder.has("good/bouncing_ball.lua") ? "bouncing_ball.lua" : "bouncing_ball.yaml";
-  std::string text = read(folder.path() / "wrong" / name);
-  text.replace(text.find("en: 0.5"), 7, "en: 0.4");
-  folder.write("wrong/" + name, text);
-  folder.write("empty.yaml", "flyrock: 1\n");
-  CHECK(call(folder, "grade good/" + name + " --with bouncing_ball").code == 0);
-  CHECK(call(folder, "grade wrong/" + name + " --with bouncing_ball").code == 1);
-  CHECK(call(folder, "grade empty.yaml --with bouncing_ball").code == 2);
-  const Output all =
-      call(folder, "grade good/" + name + " wrong/" + name + " empty.yaml --with bouncing_ball");
-  CHECK(all.code == 1);
-  CHECK(all.out.starts_with("student,result,held,expectations\ngood/" + name + ",passed,"));
-  CHECK(all.out.find("\nwrong/" + name + ",failed,") != std::string::npos);
-  CHECK(all.out.find("\nempty.yaml,error,0,0\n") != std::string::npos);
-  CHECK(call(folder, "grade good/" + name + " --with bouncing_bal").code == 2);
 }
 
 }  // namespace flyrock::new_test

@@ -36,9 +36,18 @@ std::vector<std::string> lua_plugins(const std::string& page) {
 
 }  // namespace
 
+TEST_CASE("the guide has a row for each field of a contact") {
+  const std::string page = read(FLYROCK_SOURCE_DIR "/docs/writing-a-plugin.md");
+  for (const ContactField& field : contact_fields()) {
+    INFO(field.name);
+    CHECK(page.find("| `" + std::string(field.name) + "` | " + std::string(field.unit) + " | " +
+                    std::string(field.doc) + " |\n") != std::string::npos);
+  }
+}
+
 TEST_CASE("the plugins of the guide load and conform") {
   const auto blocks = lua_plugins(read(FLYROCK_SOURCE_DIR "/docs/writing-a-plugin.md"));
-  REQUIRE(blocks.size() == 5);
+  REQUIRE(blocks.size() == 7);
   LuaSession session(FLYROCK_SHARE_DIR);
   for (const std::string& block : blocks) {
     const TemporaryFile file("guide.lua", block);

@@ -2,6 +2,7 @@
 
 #include <malloc.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "plugin/contact_law.h"
@@ -134,19 +135,29 @@ TEST_CASE("every field of a contact reaches Lua unchanged") {
   LuaFixture lua;
   for (const ContactField& field : contact_fields()) {
     const std::string name(field.name);
-    lua.write("f_" + name + ".lua",
-              "local fr = require 'flyrock'\nreturn fr.plugin { kind = 'restitution', name = 'f_" + name +
-                  "', doc = 'd', may_gain = true, impact = function(p, contact) return " +
+    std::string plugin = "f_" + name;
+    std::replace(plugin.begin(), plugin.end(), '.', '_');
+    lua.write(plugin + ".lua",
+              "local fr = require 'flyrock'\nreturn fr.plugin { kind = 'restitution', name = '" + plugin +
+                  "', doc = 'd', may_gain = true, reads = { '" + field.read_name() +
+                  "' }, impact = function(p, contact) return " +
                   (field.number   ? "contact." + name
+                   : field.flag   ? "contact." + name + " and 1 or 0"
                    : field.vector ? "contact." + name + "[2] + #contact." + name
                                   : "#contact." + name) +
                   " end }");
-    REQUIRE(lua.load("f_" + name + ".lua") == "");
-    const auto use = use_of(lua.session, PluginKind::restitution, "f_" + name, {});
+    REQUIRE(lua.load(plugin + ".lua") == "");
+    const auto use = use_of(lua.session, PluginKind::restitution, plugin, {});
     const auto law = make_instance<RestitutionLaw>(use, 2);
     RandomStream rng(1, "test", {});
-    const ContactState contact = sampled_contact(rng);
+    ContactState contact = sampled_contact(rng);
+    contact.normal_force = 70;
+    contact.shape_flatness = 0.5;
+    contact.partner_mass = 3;
+    contact.partner_radius = 2;
+    contact.partner_moves = true;
     const double expected = field.number   ? contact.*field.number
+                            : field.flag   ? (contact.*field.flag ? 1 : 0)
                             : field.vector ? (contact.*field.vector).y() + 3
                                            : static_cast<double>((contact.*field.text).size());
     CHECK(law->impact({}, contact).e_n == expected);
