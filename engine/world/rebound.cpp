@@ -157,7 +157,8 @@ void World<D>::find_shocks(double h) {
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     Contact& contact = contacts_[a];
     const Body<D>& body = bodies[rock_of(contact.candidate, contact.antagonist)];
-    if (island_collides_[islands_.of(a)] || contact.law.condition == NormalCondition::penalty) continue;
+    const bool yields = contact.law.condition == NormalCondition::penalty || deforms(contact);
+    if (island_collides_[islands_.of(a)] || yields) continue;
     const double forces = (g_ + body.push.norm()) * h;
     if ((after_[a] - contact.before).template head<D>().norm() <= settings_.rest_speed + usual * forces)
       continue;
