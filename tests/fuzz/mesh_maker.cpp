@@ -1,4 +1,4 @@
-// Surfaces of triangles as survey and modelling programs export them, as OBJ and STL.
+// Surfaces of triangles as survey and modelling programs export them, as OBJ, PLY and STL.
 
 #include <fmt/format.h>
 
@@ -44,7 +44,10 @@ class MeshMaker {
     make_fault();
     if (file_.fault.empty()) add_quirks();
     file_.start = hill_.corner + cell_ * Vec2(0.5 * columns_ + 0.21, 0.5 * rows_ + 0.13);
-    is_stl_ ? write_stl() : write_obj();
+    if (is_stl_)
+      write_stl();
+    else
+      dice_.one_in(3) ? write_ply() : write_obj();
     return file_;
   }
 
@@ -248,6 +251,45 @@ class MeshMaker {
   void write_stl() {
     const std::string name = one_of(dice_, {"ground.stl", "GROUND.STL"});
     write_here(name, dice_.one_in(2) ? stl_text() : stl_bytes());
+    file_.terrain = fmt::format("type: mesh, file: {}{}", name, file_.terrain);
+  }
+
+  /// Text, or doubles in either order of bytes.
+  void write_ply() {
+    const std::string format = one_of(dice_, {"ascii", "binary_little_endian", "binary_big_endian"});
+    const std::string end = one_of(dice_, {"\n", "\n", "\r\n"});
+    const bool has_colours = dice_.one_in(3);
+    std::string bytes = "ply" + end + "format " + format + " 1.0" + end + "comment exported" + end;
+    bytes += fmt::format("element vertex {}{}", mesh_.vertices.size(), end);
+    for (const char axis : {'x', 'y', 'z'}) bytes += fmt::format("property double {}{}", axis, end);
+    if (has_colours) bytes += "property uchar red" + end;
+    bytes += fmt::format("element face {}{}property list uchar int vertex_indices{}end_header{}",
+                         mesh_.faces.size(), end, end, end);
+    const auto put = [&](auto number) {
+      if (format == "ascii") {
+        bytes += fmt::format("{} ", number);
+        return;
+      }
+      const auto* raw = reinterpret_cast<const char*>(&number);
+      std::string one(raw, sizeof number);
+      if (format == "binary_big_endian") std::reverse(one.begin(), one.end());
+      bytes += one;
+    };
+    const auto end_row = [&] {
+      if (format == "ascii") bytes += end;
+    };
+    for (const Vec3& vertex : mesh_.vertices) {
+      for (int k = 0; k < 3; ++k) put(written(vertex)[k]);
+      if (has_colours) put(static_cast<std::uint8_t>(dice_.below(256)));
+      end_row();
+    }
+    for (const auto& face : mesh_.faces) {
+      put(static_cast<std::uint8_t>(face.size()));
+      for (const int v : face) put(static_cast<std::int32_t>(v));
+      end_row();
+    }
+    const std::string name = one_of(dice_, {"ground.ply", "GROUND.PLY"});
+    write_here(name, bytes);
     file_.terrain = fmt::format("type: mesh, file: {}{}", name, file_.terrain);
   }
 

@@ -34,7 +34,7 @@ struct TerrainFile {
 /// A function of the dice alone. Writes the file into the current folder.
 TerrainFile make_terrain_file(Dice& dice);
 
-TerrainFile make_mesh_file(Dice& dice);     ///< OBJ and STL
+TerrainFile make_mesh_file(Dice& dice);     ///< OBJ, PLY and STL
 TerrainFile make_grid_file(Dice& dice);     ///< ESRI and Surfer text, GeoTIFF
 TerrainFile make_profile_file(Dice& dice);  ///< points along a section
 TerrainFile make_tree_file(Dice& dice);     ///< trees on a grid

@@ -46,7 +46,7 @@ class MeshTerrain : public SurveyedTerrain {
   explicit MeshTerrain(Params& params)
       : file_(params.text("file")), y_is_up_(params.text("up") == "y"), scale_(params.slot("scale")) {
     params.require_dimension(3);
-    if (params.given("surface")) surface_ = params.text("surface");
+    surface_ = params.text("surface");
     if (params.slot("repair.weld") >= 0) repair_.weld = params.constant("repair.weld");
     if (params.slot("repair.fill_holes") >= 0)
       repair_.fill_holes = static_cast<int>(params.constant("repair.fill_holes"));
