@@ -215,8 +215,8 @@ TEST_CASE("a malformed PLY file is refused with its line") {
       {triangle(corners + "3 0 1 -1\n"), "13: a corner is -1, expected a whole number from 0 to 2"},
       {triangle(corners + "2 0 1\n"), "13: the face has 2 corners, expected three or more"},
       {triangle(corners + "3 0 1 2\n3 0 1 2\n"), "14: the file goes on after all that its head announces"},
-      {triangle("0 0 0\n2 0 0\n2 1 1e300\n3 0 1 2\n"),
-       " a corner in line 13 has the height 1e+300 m, and 1 corners in all are below -1000 m or above 9000 "
+      {triangle("0 0 0\n2 0 0\n2 1 1e5\n3 0 1 2\n"),
+       " a corner (line 13) has the height 100000 m, and 1 corners in all are below -1000 m or above 9000 "
        "m, which "
        "no ground is; write `up: y` if y points up in the file, or `scale` if it is not in m"},
   };
