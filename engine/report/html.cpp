@@ -61,7 +61,7 @@ std::string scripts(const std::filesystem::path& assets) {
         "contours.js",    "map_frame.js",  "plan.js",           "maps.js",       "motion.js",  "plots.js",
         "small_plots.js", "curves.js",     "azimuth.js",        "area.js",       "tables.js",  "observed.js",
         "holes.js",       "blocks.js",     "barrier_design.js", "comparison.js", "against.js", "questions.js",
-        "cover.js",       "cover_plan.js", "report.js"})
+        "tiles.js",       "cover.js",       "cover_plan.js", "report.js"})
     joined += read_file(assets / name);
   return joined + "})();\n";
 }
@@ -118,6 +118,19 @@ std::string report_html(const nlohmann::ordered_json& data, const std::filesyste
 
 std::string escaped(std::string text) {
   return replace_all(replace_all(replace_all(std::move(text), "&", "&amp;"), "<", "&lt;"), ">", "&gt;");
+}
+
+std::string escaped_words(std::string text) {
+  std::string words = escaped(std::move(text));
+  bool opens = true;
+  for (std::size_t at = 0; (at = words.find('`', at)) != std::string::npos; opens = !opens)
+    words.replace(at, 1, opens ? "<code>" : "</code>");
+  return words;
+}
+
+std::string without_backticks(std::string text) {
+  std::erase(text, '`');
+  return text;
 }
 
 }  // namespace flyrock

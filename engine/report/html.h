@@ -15,5 +15,9 @@ std::string report_html(const nlohmann::ordered_json& data, const std::filesyste
 
 /// Escapes a text for HTML or SVG.
 std::string escaped(std::string text);
+/// The same for HTML, with `names` as code.
+std::string escaped_words(std::string text);
+/// The text without the backticks about names, for pictures.
+std::string without_backticks(std::string text);
 
 }  // namespace flyrock

@@ -23,7 +23,8 @@ struct Axis {
   double low = std::numeric_limits<double>::infinity(), high = -low, step = 1;
 
   void include(const std::vector<double>& values) {
-    for (const double v : values) low = std::min(low, v), high = std::max(high, v);
+    for (const double v : values)
+      if (!std::isnan(v)) low = std::min(low, v), high = std::max(high, v);
   }
   void close() {
     const double size = std::max(std::abs(low), std::abs(high));
@@ -81,7 +82,10 @@ double height_of_names(const std::vector<Plot>& plots) {
 std::string panel(const Plot& plot, double offset, double lower) {
   const double top = first_top + lower, height = least_height + lower;
   Axis ax, ay;
-  for (const Curve& curve : plot.curves) ax.include(curve.x), ay.include(curve.y);
+  for (const Curve& curve : plot.curves) {
+    ax.include(curve.x);
+    for (const auto* values : {&curve.y, &curve.low, &curve.high}) ay.include(*values);
+  }
   ax.close(), ay.close();
   const auto px = [&](double x) { return offset + left + ax.share(x) * (plot_width - left - right); };
   const auto py = [&](double y) { return height - bottom - ay.share(y) * (height - top - bottom); };
@@ -109,6 +113,15 @@ std::string panel(const Plot& plot, double offset, double lower) {
   for (std::size_t c = 0; c < plot.curves.size(); ++c) {
     const Curve& curve = plot.curves[c];
     const char* colour = colours[c % colours.size()];
+    std::string there, back;  // along the low ends of the band, and back along the high ones
+    for (std::size_t i = 0; i < curve.low.size(); ++i) {
+      if (std::isnan(curve.low[i]) || std::isnan(curve.high[i])) continue;
+      there += fmt::format("{:.2f},{:.2f} ", px(curve.x[i]), py(curve.low[i]));
+      back = fmt::format("{:.2f},{:.2f} ", px(curve.x[i]), py(curve.high[i])) + back;
+    }
+    if (!there.empty())
+      out +=
+          fmt::format("<polygon fill=\"{}\" fill-opacity=\"0.15\" points=\"{}{}\"/>\n", colour, there, back);
     out += fmt::format(
         "<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"2\" stroke-dasharray=\"{}\" points=\"", colour,
         curve.dashed ? "8 6" : "none");

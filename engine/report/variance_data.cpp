@@ -17,8 +17,11 @@ Json curve_data(const InputResponse& response) {
                     {"mean", number(bin.mean)},
                     {"interval", interval_data(bin.mean_interval)},
                     {"p50", number(bin.p50)},
+                    {"p50_interval", interval_data(bin.p50_interval)},
                     {"p95", number(bin.p95)},
+                    {"p95_interval", interval_data(bin.p95_interval)},
                     {"p99", number(bin.p99)},
+                    {"p99_interval", interval_data(bin.p99_interval)},
                     {"trials", bin.trials}});
   return bins;
 }

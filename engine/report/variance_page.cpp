@@ -29,7 +29,7 @@ constexpr const char* variance_style =
     "svg{max-width:100%;height:auto}";
 
 std::string line_of_text(const char* style, const std::string& text) {
-  return fmt::format("<p class=\"{}\">{}</p>\n", style, escaped(text));
+  return fmt::format("<p class=\"{}\">{}</p>\n", style, escaped_words(text));
 }
 
 /// Bars with names on their left.
@@ -136,12 +136,17 @@ std::string axis_words(const std::string& name, const std::string& si) {
   return unit.name.empty() ? name : fmt::format("{} in {}", name, unit.name);
 }
 
+/// A number of the bins over the input; with `interval` as a band about it.
 Curve curve_of(const NamedResponse& of, const std::string& name, const std::string& unit,
-               double ResponseBin::*value, bool dashed = false) {
-  Curve curve{.name = name, .x = {}, .y = {}, .dashed = dashed};
+               double ResponseBin::*value, Interval ResponseBin::*interval = nullptr) {
+  Curve curve{.name = name, .x = {}, .y = {}, .dashed = false, .low = {}, .high = {}};
+  const double per_si = readable_unit(unit).per_si;
   for (const ResponseBin& bin : of.response.curve) {
     curve.x.push_back(bin.x * readable_unit(of.unit).per_si);
-    curve.y.push_back(bin.*value * readable_unit(unit).per_si);
+    curve.y.push_back(bin.*value * per_si);
+    if (!interval) continue;
+    curve.low.push_back((bin.*interval).lower * per_si);
+    curve.high.push_back((bin.*interval).upper * per_si);
   }
   return curve;
 }
@@ -152,11 +157,12 @@ std::string curves_over(const ExplainedNumber& number, const NamedResponse& of) 
   Plot plot{.title = "",
             .x_label = axis_words(of.path, of.unit),
             .y_label = axis_words("", number.unit),
-            .curves = {curve_of(of, "mean", number.unit, &ResponseBin::mean),
-                       curve_of(of, "p50", number.unit, &ResponseBin::p50, true),
-                       curve_of(of, "p95", number.unit, &ResponseBin::p95),
-                       curve_of(of, "p99", number.unit, &ResponseBin::p99, true)}};
-  return svg_of(number.words, {plot});
+            .curves = {curve_of(of, "mean", number.unit, &ResponseBin::mean, &ResponseBin::mean_interval),
+                       curve_of(of, "p50", number.unit, &ResponseBin::p50, &ResponseBin::p50_interval),
+                       curve_of(of, "p95", number.unit, &ResponseBin::p95, &ResponseBin::p95_interval),
+                       curve_of(of, "p99", number.unit, &ResponseBin::p99, &ResponseBin::p99_interval)}};
+  plot.curves[1].dashed = plot.curves[3].dashed = true;
+  return svg_of(without_backticks(number.words), {plot});
 }
 
 /// The means of several numbers over one input, all launch models in one picture.
@@ -199,6 +205,30 @@ std::string index_table(const ExplainedVariance& found, const ExplainedNumber& n
       "<tr><td>sum</td><td>{}</td><td></td><td>{}</td><td></td><td></td></tr></table></details>\n",
       text(number.indices.sum_first), text(number.indices.sum_total));
   return table;
+}
+
+/// What each input explains of each number: the answer of several launch models side by side.
+std::string side_by_side(const ExplainedVariance& found) {
+  std::string table = "<table><tr><th></th>";
+  for (const ExchangedInput& input : found.inputs.inputs) table += "<th>" + escaped(input.name) + "</th>";
+  table += "</tr>\n";
+  for (const ExplainedNumber& number : found.numbers) {
+    table += "<tr><th>" + escaped_words(number.words) + "</th>";
+    for (std::size_t i = 0; i < found.inputs.inputs.size(); ++i) {
+      const SobolIndex& index = number.indices.inputs[i];
+      const bool is_unknown = number.indices.is_lost(), moves = index.total > 0;
+      table += table_cell(is_unknown ? "not known"
+                          : moves    ? part_text(index.total, index.total_interval)
+                                     : "moves nothing");
+    }
+    table += "</tr>\n";
+  }
+  return table + "</table>\n" +
+         line_of_text("note",
+                      "The total index: the part of the variance that an input takes part in, alone or with "
+                      "others, with its "
+                      "95 % interval. What moves nothing is read by none of the models that stand there, or "
+                      "changes no number of them.");
 }
 
 std::string derived_part(const ExplainedNumber& number) {
@@ -298,7 +328,7 @@ std::string map_picture(const ExplainedNumber& number) {
 }
 
 std::string number_part(const ExplainedVariance& found, const ExplainedNumber& number) {
-  std::string part = fmt::format("<h2>{}</h2>\n", escaped(number.words));
+  std::string part = fmt::format("<h2>{}</h2>\n", escaped_words(number.words));
   for (const std::string& sentence : sentences_of(found, number)) part += line_of_text("answer", sentence);
   if (std::isnan(number.indices.sum_first)) return part;
   part += index_bars(found, number) +
@@ -329,10 +359,9 @@ std::string variance_page(const ExplainedVariance& found) {
       "{0}</title>\n"
       "<style>{1}</style>\n</head>\n<body>\n<h1>What drives it: {0}</h1>\n",
       escaped(found.title.empty() ? found.scenario : found.title), variance_style);
-  for (const ExplainedNumber& number : found.numbers) {
-    const std::vector<std::string> sentences = sentences_of(found, number);
-    page += line_of_text("answer", sentences.front());
-  }
+  for (const ExplainedNumber& number : found.numbers)
+    page += line_of_text("answer", sentences_of(found, number).front());
+  if (found.numbers.size() > 1) page += side_by_side(found);
   for (const std::string& remark : remarks_of(found)) page += line_of_text("note", remark);
   for (const ExplainedNumber& number : found.numbers) page += number_part(found, number);
   if (const std::string together = means_together(found); !together.empty())

@@ -146,7 +146,7 @@ std::string place_text(const Scenario& scenario, const PointResult& point, const
          : part.empty()   ? fmt::format("on {}, ", material)
                           : fmt::format("on {} (part {}), ", material, part);
   } else if (place.reason == StopReason::timed_out) {
-    on = "in the air, ";
+    on = scenario.rock_contacts ? "in the air or on other rocks, " : "in the air, ";
   } else {
     on = "at ";
   }

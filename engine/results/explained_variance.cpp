@@ -37,8 +37,7 @@ std::string explains(const ExplainedVariance& found, const ExplainedNumber& numb
       text = fmt::format("{} explains {} (95 % interval {}) of the variance of {}", name,
                          whole_percent(part(index.first)), interval_text(index.first_interval), number.words);
     else
-      text += fmt::format(", {} {} ({})", name, whole_percent(part(index.first)),
-                          interval_text(index.first_interval));
+      text += fmt::format(", {} {}", name, part_text(index.first, index.first_interval));
   }
   if (named > 0) return text + ".";
   return fmt::format(
@@ -130,6 +129,10 @@ std::string shown_number(double value, const std::string& si) {
 }
 
 std::string whole_percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
+
+std::string part_text(double share, const Interval& interval) {
+  return fmt::format("{} ({})", whole_percent(part(share)), interval_text(interval));
+}
 
 std::vector<std::string> sentences_of(const ExplainedVariance& found, const ExplainedNumber& number) {
   const SobolIndices& indices = number.indices;

@@ -55,6 +55,8 @@ std::vector<std::size_t> ranked(const SobolIndices& indices);
 std::string shown_number(double value, const std::string& si);
 /// "61 %", of variances: whole percent.
 std::string whole_percent(double share);
+/// "97 % (89 to 100 %)", cut off at 0 and 1.
+std::string part_text(double share, const Interval& interval);
 
 /// The answer for one number: what explains it, what acts together, what moves nothing, and by how much the
 /// first inputs move it.

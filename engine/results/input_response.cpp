@@ -1,7 +1,6 @@
 #include "results/input_response.h"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
 
@@ -38,25 +37,21 @@ double quantile(const std::vector<double>& sorted, double share) {
 }
 
 ResponseBin bin_of(const std::vector<Pair>& pairs, std::size_t begin, std::size_t end) {
-  ResponseBin bin;
-  bin.trials = end - begin;
-  std::vector<double> f;
-  for (std::size_t i = begin; i < end; ++i) f.push_back(pairs[i].f);
-  std::sort(f.begin(), f.end());
-  const auto n = static_cast<double>(f.size());
-  bin.x = 0.5 * (pairs[(begin + end - 1) / 2].x + pairs[(begin + end) / 2].x);
-  bin.mean = std::accumulate(f.begin(), f.end(), 0.0) / n;
-  bin.p50 = quantile(f, 0.5);
-  bin.p95 = quantile(f, 0.95);
-  bin.p99 = quantile(f, 0.99);
-  double squares = 0;
-  for (const double value : f) squares += (value - bin.mean) * (value - bin.mean);
-  if (f.size() > 1) {
-    const double t = boost::math::quantile(boost::math::students_t_distribution<>(n - 1), 0.975);
-    const double half = t * std::sqrt(squares / (n - 1) / n);
-    bin.mean_interval = {bin.mean - half, bin.mean + half};
-  }
-  return bin;
+  constexpr double c = stated_confidence;
+  Sample sample({.quantiles = {0.5, 0.95, 0.99}, .intervals = {{0.5, c}, {0.95, c}, {0.99, c}}});
+  do {
+    for (std::size_t i = begin; i < end; ++i) sample.add({pairs[i].f}, i);
+  } while (sample.needs_another_pass());
+  return {.x = 0.5 * (pairs[(begin + end - 1) / 2].x + pairs[(begin + end) / 2].x),
+          .mean = sample.moments().mean,
+          .mean_interval = sample.mean_interval(c),
+          .p50 = sample.quantile(0.5).value,
+          .p95 = sample.quantile(0.95).value,
+          .p99 = sample.quantile(0.99).value,
+          .p50_interval = sample.quantile_interval(0.5, c),
+          .p95_interval = sample.quantile_interval(0.95, c),
+          .p99_interval = sample.quantile_interval(0.99, c),
+          .trials = end - begin};
 }
 
 /// The correlation ratio over the bins, which follow each other in the pairs.

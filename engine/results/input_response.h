@@ -46,7 +46,9 @@ struct ResponseBin {
   double x = unknown;     ///< median of the input
   double mean = unknown;  ///< of f
   Interval mean_interval{unknown, unknown};
-  double p50 = unknown, p95 = unknown, p99 = unknown;  ///< of f over the trials of the bin
+  /// Of f over the trials of the bin, with intervals (Sample::quantile_interval).
+  double p50 = unknown, p95 = unknown, p99 = unknown;
+  Interval p50_interval{unknown, unknown}, p95_interval = p50_interval, p99_interval = p50_interval;
   std::uint64_t trials = 0;
 };
 

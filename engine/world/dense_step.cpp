@@ -6,10 +6,10 @@
 // A contact that closes within the step faster than rest_speed, under a law that bounces, collides at the
 // time t of its touch along the free path, with the velocity there: the law holds for
 //   u(t)+ = u+ - (u_free - u) (h - t)/h,
-// and its bodies, if nothing else pushes them, move along their free paths until t. A body that no contact
-// pushes flies along its parabola. Overlap that is left is projected out. Features that end deeper than
-// `slop` and were not among the contacts join them, and the step is made again; every other time it is
-// halved.
+// unless it would fall again by the end of the step, and its bodies, if nothing else pushes them, move along
+// their free paths until t. A body that no contact pushes flies along its parabola. Overlap that is left is
+// projected out. Features that end deeper than `slop` and were not among the contacts join them, and the step
+// is made again. It is halved where none joins, and every other time.
 //
 // Of first order. Sources: D. Stewart and J. Trinkle 1996; gaps as M. Anitescu and A. Tasora 2010.
 
@@ -162,20 +162,25 @@ void World<D>::foresee_touches(double h) {
   }
 }
 
-/// Writes gaps and touches into the problem. Only what is closed has cohesion. Returns false if a spring is
-/// among the contacts.
+/// Asks the laws of the contacts that close in the step. Only what is closed has cohesion. A contact whose
+/// rebound would be a fall again at the end of the step does not bounce: it would close there, and bounce
+/// again in each step that follows. Returns false if a spring is among the contacts.
 template <int D>
 bool World<D>::ask_dense_laws(double h) {
   begin_manifolds();
   ask_laws(h);
-  for (Contact& c : contacts_) {
+  for (std::size_t a = 0; a < contacts_.size(); ++a) {
+    Contact& c = contacts_[a];
     if (c.law.condition == NormalCondition::penalty) return false;
     if (c.at.gap > slop * contact_size(c.candidate, c.antagonist)) c.law.c_n = c.law.c_t = 0;
-    c.bounces = !c.stays_apart && (c.law.e_n > 0 || c.law.form == RestitutionForm::velocity);
+    const double at_end = c.law.e_n * c.approach() + (h - c.touch) / h * gained_in_step_[a][0];
+    c.bounces = !c.stays_apart && at_end > 0;
+    if (!c.bounces) c.law.e_n = 0;
   }
   return true;
 }
 
+/// Writes gaps and touches into the problem.
 template <int D>
 void World<D>::put_gaps(double h) {
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
@@ -233,24 +238,25 @@ void World<D>::move_densely(double h) {
   }
 }
 
-/// The deepest contact of the present places that the step has not solved, as a share of the size. Those
-/// deeper than `slop` are noted in unseen_.
+/// The deepest contact of the present places that the step of length h has not solved, as a share of the
+/// size. Those deeper than `slop` are noted in unseen_, with the gap that they had at its start by their
+/// speed now: there, their features may have been beside each other.
 template <int D>
-double World<D>::unsolved_depth() {
+double World<D>::unsolved_depth(double h) {
   double deepest = 0;
   see_ahead(0, [&] {
     for (const Contact& c : contacts_) {
       const double depth = -c.at.gap / contact_size(c.candidate, c.antagonist);
       if (depth <= std::min(deepest, slop) || has_same(of_pair(solved_, c), c)) continue;
       deepest = std::max(deepest, depth);
-      if (depth > slop) unseen_.push_back(c);
+      if (depth > slop) unseen_.emplace_back(c).at.gap -= h * relative_velocity(c)[0];
     }
   });
   return deepest;
 }
 
 /// Finds the contacts of a dense step of length h. Features that an end of this step has shown in each other,
-/// although no search at its start finds them, join those of their pair with the gap that they have there.
+/// although no search at its start finds them, join those of their pair.
 template <int D>
 void World<D>::find_dense_contacts(double h) {
   const PhaseTimer timer(clock, &PhaseTimes::detect);
@@ -259,7 +265,7 @@ void World<D>::find_dense_contacts(double h) {
   for (const Contact& c : unseen_) {
     if (has_same(of_pair(contacts_, c), c)) continue;
     const auto after_pair = std::upper_bound(contacts_.begin(), contacts_.end(), c, is_before<D>);
-    contacts_.insert(after_pair, c)->at.gap = gap_at(c, false);
+    contacts_.insert(after_pair, c);
   }
   match_last();
 }
@@ -267,7 +273,7 @@ void World<D>::find_dense_contacts(double h) {
 template <int D>
 typename World<D>::Outcome World<D>::dense_step(double h) {
   constexpr double most_sunk = 5e-4;  // of the size, of a solved contact
-  constexpr int most_tries = 8;       // every other one is half as long
+  constexpr int most_tries = 8;
   free_.resize(bodies.size());
   impacts_.clear();
   save();
@@ -294,7 +300,8 @@ typename World<D>::Outcome World<D>::dense_step(double h) {
     const double energy = total_energy();
     project_drift(true);
     const double lifted = total_energy() - energy;
-    unsolved = unsolved_depth();
+    const std::size_t known = unseen_.size();
+    unsolved = unsolved_depth(h);
     if ((unsolved <= slop && sunk_share_ <= most_sunk) || tries == most_tries) {
       quality_.max_penetration = std::max(quality_.max_penetration, sunk_);
       quality_.projection_energy += lifted;
@@ -302,7 +309,7 @@ typename World<D>::Outcome World<D>::dense_step(double h) {
       break;
     }
     restore();
-    if (tries % 2 == 1) h /= 2;
+    if (unseen_.size() == known || tries % 2 == 0) h /= 2;
     ++quality_.refused_steps;
   }
   quality_.unsolved_depth = std::max(quality_.unsolved_depth, unsolved);

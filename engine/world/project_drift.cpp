@@ -20,17 +20,21 @@ void World<D>::project_drift(bool exact) {
   // Shares of the size. A step pushes a body out by no more than `deepest`, because more would throw it; a
   // penetration less deep than `left` waits for the next step.
   constexpr double deepest = 1e-3, left = 1e-6;
+  constexpr double doubtful = 5e-4;  // deeper: the features may have slid off each other, and nothing is deep
   drift_.assign(bodies.size(), Body<D>::Rows::Zero());
   swell_.assign(bodies.size(), 0.0);
   gaps_.clear();
   sunk_ = sunk_share_ = 0;
   for (const Contact& c : contacts_) {
-    const double gap = gap_at(c, false);
-    sunk_ = std::max(sunk_, -gap);
-    sunk_share_ = std::max(sunk_share_, -gap / contact_size(c.candidate, c.antagonist));
+    const double gap = gap_at(c, false), size = contact_size(c.candidate, c.antagonist);
     const double reach = carry_reach(c.candidate, c.antagonist);
-    const double most = exact ? std::max(reach, deepest * contact_size(c.candidate, c.antagonist)) : reach;
-    const bool near = gap <= reach && (exact || gap >= -most);
+    const double most = exact ? std::max(reach, deepest * size) : reach;
+    const bool slid_off = exact && gap < -doubtful * size && !is_deep(c, gap, false);
+    const bool near = gap <= reach && (exact || gap >= -most) && !slid_off;
+    if (!slid_off) {
+      sunk_ = std::max(sunk_, -gap);
+      sunk_share_ = std::max(sunk_share_, -gap / size);
+    }
     gaps_.push_back(near && c.law.condition != NormalCondition::penalty ? std::optional(std::max(gap, -most))
                                                                         : std::nullopt);
   }

@@ -301,7 +301,7 @@ class World {
   void put_gaps(double h);
   void find_lone_bounces();
   void move_densely(double h);
-  double unsolved_depth();
+  double unsolved_depth(double h);
   template <class Use>
   void see_ahead(double h, Use use);
   void find_dense_contacts(double h);

@@ -149,6 +149,42 @@ TEST_CASE("a stack of ten boxes in dense steps keeps its height") {
   }
 }
 
+TEST_CASE("a stack that has bounced in dense steps comes to rest at once, without new impacts") {
+  for (const double e : {0.1, 0.3, 0.8}) {
+    Material material(e, 0.6);
+    Bench bench(ground(10), material, dense());
+    for (int i = 0; i < 5; ++i) bench.add(box(1, 1, 2700, {0, 0.5 + 1.01 * (i + 1)}));
+    bench.world.choose_density();
+    bench.run(3);
+    for (const BodyHistory& history : bench.histories) CHECK(history.reason == StopReason::stopped);
+    const double weight = 2700 * 9.81;
+    CHECK(bench.world.quality().projection_energy < 1e-4 * 5 * weight);  // a tenth of a millimetre
+    for (const Body<2>& body : bench.world.bodies) CHECK(body.v.norm() < 1e-3);
+  }
+}
+
+TEST_CASE("features that have slid off each other are not deep, nor pushed apart") {
+  constexpr double size = 0.266;
+  for (const int seed : {10, 24}) {
+    std::mt19937 dice(seed);
+    std::uniform_real_distribution<double> part(0, 1);
+    Material material(0, 0.5);
+    Bench bench(pit(2), material, automatic());
+    for (int k = 0; k < 60; ++k) {
+      Body<2> body =
+          make_body({Contactor2::polygon({{-0.2, -0.15}, {0.2, -0.15}, {0.25, 0.1}, {0, 0.2}, {-0.2, 0.1}})},
+                    2700, 0, 1);
+      body.move_to({0.55 * (k % 6 - 2.5), 0.5 + 0.55 * (k / 6)}, 2 * pi * part(dice));
+      bench.add(std::move(body));
+    }
+    bench.run(1.5);
+    const SolverQuality& quality = bench.world.quality();
+    CHECK(quality.dense_steps > 0);
+    CHECK(deepest(bench.world.bodies) < 1e-5 * size);
+    CHECK(quality.max_penetration < 1.05 * 5e-4 * size);  // deeper steps are halved
+  }
+}
+
 TEST_CASE("thirty random polygons that fall into a pit come to rest, and nothing lies in anything") {
   std::mt19937 dice(12345);
   Material material(0.1, 0.6);

@@ -165,10 +165,10 @@ TEST_CASE("A page prints the sweep point that its reader chose", "[slow]") {
   const Opened printed = open_page(folder, folder.path() / folder.write("printed.html", page));
   CHECK(printed.console == "");
   const auto summary = nlohmann::json::parse(read(folder.path() / "r/summary.json"));
-  const auto p95 = [&](int point) {
+  const auto p95 = [&](int point, int digits = 4) {
     const double value = summary.at("points").at(point).at("rocks").at(0).at("runout").at("p95");
     std::ostringstream text;  // as the page shows it
-    text << std::setprecision(4) << value;
+    text << std::setprecision(digits) << value;
     return text.str();
   };
   REQUIRE(p95(0) != p95(2));
@@ -184,6 +184,9 @@ TEST_CASE("A page prints the sweep point that its reader chose", "[slow]") {
   CHECK(seen.find("<p class=\"shown\">Shown: all rocks, point 2: materials.rock.friction.mu = 0.9.</p>") !=
         std::string::npos);
   CHECK(count(seen, "Shown: all rocks, point 0") == 0);
+  CHECK(count(seen, "class=\"tile\"") == 4);
+  CHECK(seen.find("95 of 100 stop within</p><p class=\"value\">" + p95(2, 3) + " m</p>") !=
+        std::string::npos);
 }
 
 TEST_CASE("A page that has no room for all sweep points says how many it shows", "[slow]") {
@@ -222,6 +225,7 @@ TEST_CASE("The page of the method ballistic speaks of first landings", "[slow]")
   for (const char* said :
        {"<h2>First landing</h2>", "<h2>What the first landing depends on</h2>", ">first landed</td>"})
     CHECK(page.find(said) != std::string::npos);
+  CHECK(count(page, "class=\"tile\"") == 0);  // a table answers the questions of the scenario
   for (const char* wrong : {"unout", "stopped", "came to rest", " rad<"}) {
     INFO(wrong);
     CHECK(page.find(wrong) == std::string::npos);

@@ -145,13 +145,14 @@ TEST_CASE("the page says of each launch model what drives it, and what no model 
     INFO(words);
     CHECK(page.find(words) != std::string::npos);
   }
+  const std::string plain = std::regex_replace(page, std::regex("</?code>"), "`");
   for (const char* words :
        {"blast\\.burden explains (9\\d|100) % \\(95 % interval \\d+ to 100 %\\) of the variance of "
         "the greatest runout of `face`\\.",
         "blast\\.hole\\.stemming explains (9\\d|100) % .* of the greatest runout of `collar`\\."}) {
     INFO(words);
     CHECK(std::regex_search(said.out, std::regex(words)));
-    CHECK(std::regex_search(page, std::regex(words)));
+    CHECK(std::regex_search(plain, std::regex(words)));
   }
   // A smaller burden throws farther, and the mean crosses 20 m where the closed form does.
   const Json& burden = found["inputs"][0];

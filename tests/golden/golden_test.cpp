@@ -37,11 +37,13 @@ std::vector<std::string> shipped() {
   return names;
 }
 
-/// Runs three trials of a scenario, and adds the hashes of its results.
+/// Runs three trials of a scenario, one where a trial is a face of blocks that falls and takes as long as all
+/// others together, and adds the hashes of its results.
 void run(const Folder& folder, const std::string& scenario, const std::string& threads,
          std::map<std::string, std::string>& hashes) {
-  const Output run = call(folder, "run '" + (scenarios / scenario).string() +
-                                      "' --trials 3 --quiet --force -o out -j " + threads);
+  const std::string trials = scenario == "quarry/joint_blocks_3d.yaml" ? "1" : "3";
+  const Output run = call(folder, "run '" + (scenarios / scenario).string() + "' --trials " + trials +
+                                      " --quiet --force -o out -j " + threads);
   INFO(scenario << " over " << threads << " threads: " << run.err);
   REQUIRE((run.code == 0 || run.code == 1));  // 1: an expectation is not met by so few
   for (const char* file : {"rocks.csv", "summary.json"})

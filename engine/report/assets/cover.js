@@ -74,16 +74,18 @@ function draw_cover_section(page, point) {
     ...drawn_clearances(point).map((c) => ({ x: release + c.distance, text: clearance_words(c) })),
     ...distances_beside(point).map((c) => ({ x: release + c.distance, text: c.text })),
   ];
-  const low_x = least([release, ...starts]), high_x = most([release, ...rows.map((r) => r.x)]), margin = 0.06 * Math.max(high_x - low_x, 1);
+  const low_x = least([release, ...starts]), ends = tracks.map((track) => points_of(track).at(-1).x), high_x = most([release, ...ends, ...rows.map((r) => r.x)]), margin = 0.06 * Math.max(high_x - low_x, 1);
   const window = [Math.max(low_x - margin, x_of[0]), Math.min(high_x + margin, x_of.at(-1))];
   if (!(window[1] > window[0])) return null;
   const inside = x_of.map((v, i) => [v, y_of[i]]).filter(([v]) => v > window[0] && v < window[1]);
   const ground = [[window[0], ground_at(page.terrain, window[0])], ...inside, [window[1], ground_at(page.terrain, window[1])]];
   const fences = point.barriers.map((b) => { const foot = ground_at(page.terrain, b.x), lean = (b.inclination_deg * Math.PI) / 180; return [[b.x, foot], [b.x - b.height_m * Math.sin(lean), foot + b.height_m * Math.cos(lean)]]; });
-  const heights = [...ground, ...fences.flat()].map(([, y]) => y), to = sheet_scale(window, [least(heights), most(heights) + 0.02 * (window[1] - window[0])]);
+  const paths = tracks.map((track) => points_of(track).filter((p) => p.x >= window[0] && p.x <= window[1]).map((p) => [p.x, p.height])).filter((path) => path.length > 1);
+  const heights = [...ground, ...fences.flat(), ...paths.flat()].map(([, y]) => y), to = sheet_scale(window, [least(heights), most(heights) + 0.02 * (window[1] - window[0])]);
   const foot_y = to.bottom + 30, parts = [];
   parts.push(svg_element("polygon", { points: [...ground.map(([x, y]) => to.at(x, y)), [to.right, to.bottom + 8], [to.left, to.bottom + 8]].map((p) => p.map((v) => v.toFixed(1)).join(",")).join(" "), fill: "#ece6da" }));
   parts.push(drawn_line(ground.map(([x, y]) => to.at(x, y)), { stroke: "#3b3f45", "stroke-width": 2 }));
+  for (const path of paths) parts.push(drawn_line(path.map(([x, y]) => to.at(x, y)), { stroke: colour.sky, "stroke-width": 0.6, "stroke-opacity": 0.7 }));
   for (const fence of fences) parts.push(drawn_line(fence.map(([x, y]) => to.at(x, y)), { stroke: colour.brick, "stroke-width": 3 }));
   const top = most(ground.map(([, y]) => y)), low = least(ground.map(([, y]) => y));
   if (top - low > 0.01) {
@@ -107,7 +109,7 @@ function drawing_section() {
   if (of_bodies) return;
   const node = element("div", { class: "drawing", role: "img", "aria-label": "Drawing to scale; its numbers are in the list beside it and in the tables below" }), note = paragraph("note", "");
   const is_plan = summary.dimension === 3;
-  section(is_plan ? "Plan to scale" : "Section to scale", note, node, ...(is_plan ? [] : [caption("The ground, what stands on it as high as it is, and distances from the mean release, all at one scale.")]));
+  section(is_plan ? "Plan to scale" : "Section to scale", note, node, ...(is_plan ? [] : [caption("The ground, what stands on it as high as it is, the paths of the rocks that are stored, and distances from the mean release, all at one scale.")]));
   redraw.push(() => {
     const page = data.points[shown.point], point = summary.points[shown.point], nothing = paragraph("note", "Nothing to draw: no rock came through.");
     note.textContent = `Shown: ${shown_text()}.${data.drawn.terrain ? " The terrain is drawn anew in each trial; the ground is that of trial 0." : ""}`;

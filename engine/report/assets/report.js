@@ -16,6 +16,7 @@ function draw_all() {
   for (const draw of redraw) draw();
 }
 
+/** How many rocks, by which version; alarms, and what to be warned of. */
 function facts_section() {
   const rocks = summary.points.reduce((sum, point) => sum + point.rocks[0].count, 0);
   const trials = summary.points.reduce((sum, point) => sum + point.trials, 0);
@@ -23,6 +24,11 @@ function facts_section() {
     `; ${summary.dimension}D, ${summary.method}, seed ${summary.seed}; flyrock ${summary.flyrock}.` +
     (summary.dimension === 2 ? " Mass, inertia and energy are of the whole rock, never per metre." : "") +
     (summary.points[0].rows ? ` Rows, paths and inputs are of the first rocks (${summary.points[0].rows}); statistics are of all.` : "")));
+  root.append(...(data.alarms ?? []).map((alarm) => paragraph("badge bad", `! ${alarm}`)), ...warnings_parts(), choosers());
+}
+
+/** What was expected and solved, below the drawing. */
+function checks_section() {
   const badges = element("p", {});
   /** Red is for what makes numbers wrong (data.alarms, and rocks that failed); all else to be looked at is grey. */
   const badge = (good, text) => badges.append(element("span", { class: `badge ${good ? "good" : "quiet"}` }, `${good ? "✓" : "!"} ${text}`));
@@ -34,16 +40,16 @@ function facts_section() {
   if (solved > 0) badge(open === 0, open === 0 ? "every contact problem converged" : `${open} contact problems did not converge`);
   const gains = summary.points.reduce((sum, point) => sum + point.solver.energy_gains, 0);
   if (gains > 0) badge(false, `${counted(gains, "impact", "impacts")} gained energy (see Solver quality)`);
-  root.append(badges, ...(data.alarms ?? []).map((alarm) => paragraph("badge bad", `! ${alarm}`)));
-  if (data.regular_only) root.append(paragraph("note", "Every blast of this run is a regular one: no stemming fails, no void or weak seam opens. So its farthest rocks are those of a regular blast, and a high percentile says nothing of a blast in which something fails (`branches`)."));
-  root.append(...warnings_parts());
-  root.append(choosers());
+  root.append(badges);
+  if (data.regular_only) root.append(paragraph("note", "Every blast of this run is a regular one: no stemming fails, no void or weak seam opens. So its farthest rocks are those of a regular blast, and a high percentile says nothing of a blast in which something fails (key branches)."));
 }
 
 answer_in_lines();
 questions_table();
 facts_section();
+tiles_part();
 drawing_section();
+checks_section();
 about_answer();
 inputs_section();
 against_section();

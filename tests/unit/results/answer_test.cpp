@@ -103,6 +103,9 @@ TEST_CASE(
              "rock (part floor), x from 120 to 180 m; "
              "2 left the domain at x = 300 m; 1 ran out of time (60 s) in the air, x = 30 m. Their distances "
              "are lower bounds."));
+  plan.points[0].rock_contacts = true;
+  CHECK(says(answer_of(plan, records), "1 ran out of time (60 s) in the air or on other rocks, x = 30 m."));
+  plan.points[0].rock_contacts = false;
   cut(6, StopReason::left_domain, -1, -40);  // at the other end
   text = answer_of(plan, records);
   INFO(text);

@@ -6,6 +6,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "report/variance_page.h"
+
 using namespace flyrock;
 
 namespace explained_variance_test {
@@ -102,6 +104,20 @@ TEST_CASE("remarks name what nothing reads, what is drawn once a run, and groups
   CHECK(says(remarks, "Drawn once a run, and no inputs: rocks.face.launch.k, forest.place."));
   CHECK(says(remarks, "`fragments` has another number of rocks from trial to trial"));
   CHECK(says(remarks, "terrain.face_angle: no launch model here reads it."));
+}
+
+TEST_CASE("a page of several models has a table of what each input explains, and no raw backticks") {
+  ExplainedVariance found = two_inputs();
+  CHECK(variance_page(found).find("moves nothing") == std::string::npos);
+  found.numbers.push_back(found.numbers.front());
+  found.numbers.back().words = "the greatest runout of `collar`";
+  found.numbers.back().indices = {};
+  found.numbers.back().indices.inputs.resize(4);
+  const std::string page = variance_page(found);
+  CHECK(page.find('`') == std::string::npos);
+  CHECK(page.find("<th>the greatest runout of <code>face</code></th>") != std::string::npos);
+  CHECK(page.find("<th>the greatest runout of <code>collar</code></th><td>moves nothing</td>") !=
+        std::string::npos);
 }
 
 }  // namespace explained_variance_test

@@ -215,4 +215,23 @@ TEST_CASE("a response has the mean about p10 and p90, and crosses a line where t
   CHECK_FALSE(response_of(std::vector<double>(100, 2.0), std::vector<double>(100, 1.0)));
 }
 
+TEST_CASE("the parts of a curve have intervals of their percentiles, where the trials give them") {
+  int held = 0, parts = 0;
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    std::vector<double> x, f;
+    for (std::uint64_t t = 0; t < 1000; ++t) {
+      x.push_back(uniform_at(seed, 1, {.trial = t}));
+      f.push_back(uniform_at(seed, 2, {.trial = t}));
+    }
+    for (const ResponseBin& bin : response_of(x, f)->curve) {
+      ++parts;
+      held += holds(bin.p95_interval, 0.95);
+      CHECK(holds(bin.p50_interval, bin.p50));
+      CHECK(std::isnan(bin.p99_interval.upper));  // 0.99^100 > 0.025
+    }
+  }
+  CHECK(parts == 300);
+  CHECK(held >= 280);  // at least 95 % of them: 285 +- 4
+}
+
 }  // namespace sobol_test
