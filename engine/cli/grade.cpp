@@ -168,7 +168,10 @@ Grade grade_one(const std::string& student, const Task& task, const ChildLimits&
   const ChildEnd end = run_limited(limits, log, folder, [&] { return judge_student(student, task, folder); });
   seconds = end.seconds;
   was_stopped = end.code == interrupted;
-  if (!end.code) return {"error", end.why};
+  if (!end.code) {
+    fs::remove_all(folder);  // of no use, and large
+    return {"error", end.why};
+  }
   if (ended_without_results(*end.code, folder)) return {"error", first_error(log)};
   return grade_of_results(folder);
 }
