@@ -33,6 +33,7 @@ help:
 	@echo "make fuzz KIND=terrain SECONDS=600 SEED=1  writes files of ground with the quirks of programs, and judges what is read"
 	@echo "make reference   write docs/reference from the manifests of the plugins and the examples of shapes"
 	@echo "make course write the pictures of the course's pages"
+	@echo "make picture   write the picture of the README: the top of the report that make demo writes"
 	@echo "make notebooks   write the labs of the course as Jupyter notebooks into out/notebooks, and execute them"
 	@echo "make site   write the pages as a web site into out/site"
 	@echo "make archive   pack flyrock with all that it needs for other and older systems, into out/archive"
@@ -90,6 +91,11 @@ estimate:
 demo: estimate build-bench
 	build/bench/bin/flyrock run scenarios/ninh_dan/benches_2d.yaml -o out/benches_2d --force
 	@[ -e $(PLOTLY) ] || echo "$(no_plots)"
+
+# The picture of the README.
+picture: deps-browser demo
+	chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1200,1020 --virtual-time-budget=8000 \
+	  --screenshot=docs/images/ninh_dan.png file://$(CURDIR)/out/benches_2d/report.html
 
 # PREFIX is where flyrock goes; DESTDIR is put before it, for packages.
 PREFIX := /usr/local
@@ -177,4 +183,4 @@ drawings:
 clean:
 	rm -rf build out
 
-.PHONY: help estimate install deb archive notebooks site deps deps-build deps-browser deps-format format tidy demo test test-heavy test-bare golden fuzz bench validation reference course drawings clean
+.PHONY: help estimate install deb archive notebooks site deps deps-build deps-browser deps-format format tidy demo test test-heavy test-bare golden fuzz bench validation reference course picture drawings clean

@@ -62,6 +62,10 @@ speed.pivot_table(index="time_s", columns="point", values="vx_m_s").plot(xlabel=
         "The tilt of the block: each swing is smaller and shorter.",
         """tilt = table("SELECT time_s, angle_rad FROM series_bodies ORDER BY time_s")
 tilt.plot("time_s", "angle_rad", legend=False, xlabel="time in s", ylabel="tilt in rad");"""),
+    "shaken_block": (
+        "The speeds of the block and of the table: mu = 0.3 (point 0) follows with mu g, mu = 0.6 (point 1) as the table.",
+        """speed = table("SELECT point, body, time_s, vx_m_s FROM series_bodies")
+speed.pivot_table(index="time_s", columns=["body", "point"], values="vx_m_s").interpolate().plot(xlabel="time in s", ylabel="v_x in m/s");"""),
     "cradle": (
         "The speeds of the balls at the end, for e = 0.5 (point 0) and e = 1 (point 1).",
         """last = table('SELECT point, "group", vx_m_s FROM trajectories JOIN rocks USING (point, trial, rock) ORDER BY trajectories.time_s')

@@ -23,6 +23,7 @@
 #include "solver/fclib.h"
 #include "trial/blast_at.h"
 #include "trial/dimensions.h"
+#include "trial/load_tables.h"
 #include "trial/make_forest.h"
 #include "trial/scenario_error.h"
 
@@ -282,6 +283,9 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
   settings.watch = watch;
   settings.keep_impacts = (scenario_.output.impacts && has_rows(number)) || !scenario_.bodies.empty();
 
+  const LoadTables loads = load_tables_of(scenario_);
+  if (loads.last_change > 0) settings.loads = &loads;
+
   const bool timed = number % timed_every == 0;
   const auto start = timed ? std::chrono::steady_clock::now() : std::chrono::steady_clock::time_point();
   PhaseTimes times;
@@ -322,6 +326,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
       if (scenario_.settle)
         settle<D>(world, {.until = scenario_.settle->until,
                           .at_most = scenario_.settle->at_most,
+                          .loads = settings.loads,
                           .watch = watch,
                           .interrupted = interrupted});
       flyrock::run(world, settings, histories[w]);

@@ -58,6 +58,11 @@ Json name_or_number() { return {{"type", Json::array({"string", "number"})}}; }
 
 Json has(const std::string& key) { return {{"required", Json::array({key})}}; }
 
+const ParamSpec& key_of_section(std::string_view section, std::string_view name) {
+  const std::vector<ParamSpec>& keys = section_spec(section).keys;
+  return *std::find_if(keys.begin(), keys.end(), [&](const ParamSpec& key) { return key.name == name; });
+}
+
 /// The schema of scenarios in 2D, or in 3D.
 class DocumentSchema {
  public:
@@ -75,6 +80,7 @@ class DocumentSchema {
   void put_section(Keys& keys, const std::string& name, const Varies& varies = none_varies);
   Keys section(const std::string& name, const Varies& varies = none_varies);
   void put_params(Keys& keys, const PluginSpec& plugin);
+  void or_over_time(Keys& keys, const ParamSpec& spec);
   Json plugin(PluginKind kind, const Keys& beside = {}, const std::string& by_default = {},
               std::vector<OtherType> others = {});
   Json swept_section(const std::string& name, Json schema);
@@ -120,6 +126,28 @@ void DocumentSchema::put(Keys& keys, const ParamSpec& spec, bool varies) {
   keys.add(spec.name, values_.parameter(spec, here), spec.required());
 }
 
+/// The value of a key may be a table over time. Gravity is a vector there, too.
+void DocumentSchema::or_over_time(Keys& keys, const ParamSpec& spec) {
+  ParamSpec time;
+  time.dimension = dimension::time;
+  time.min = 0;
+  Json of_row = values_.parameter(spec, place(false));
+  if (spec.name == "gravity") {
+    ParamSpec vector = spec;
+    vector.type = ParamType::vector;
+    vector.min.reset();
+    of_row = {{"anyOf", Json::array({of_row, values_.parameter(vector, place(false))})}};
+  }
+  Json row = {{"type", "array"},
+              {"items", Json::array({values_.parameter(time, place(false)), std::move(of_row)})},
+              {"minItems", 2},
+              {"maxItems", 2}};
+  Json& value = keys.properties[spec.name];
+  value = {
+      {"anyOf", Json::array({std::move(value),
+                             SchemaValues::object({{"table", array_of(std::move(row), 2)}}, {"table"})})}};
+}
+
 void DocumentSchema::put_section(Keys& keys, const std::string& name, const Varies& varies) {
   for (const ParamSpec& spec : section_spec(section_name(name)).keys) put(keys, spec, varies(spec.name));
 }
@@ -140,6 +168,8 @@ void DocumentSchema::put_params(Keys& keys, const PluginSpec& plugin) {
     const std::string group(spec.group());
     if (group.empty()) {
       put(keys, spec, true);
+      if (plugin.kind == PluginKind::friction && plugin.name == "coulomb" && spec.name == "mu")
+        or_over_time(keys, spec);
       continue;
     }
     if (i > 0 && plugin.params[i - 1].group() == group) continue;
@@ -337,7 +367,10 @@ Json DocumentSchema::rocks() {
 
 Json DocumentSchema::bodies() {
   Keys keys = section("bodies", all_vary);
-  keys.add("driven", section("bodies.driven").object());
+  or_over_time(keys, key_of_section(section_name("bodies"), "force"));
+  Keys driven = section("bodies.driven");
+  or_over_time(driven, key_of_section("bodies.driven", "velocity"));
+  keys.add("driven", driven.object());
   keys.add("shape", or_name(shape(false)), true);
   if (dimension_ == 3) keys.add("orientation", turn());
   Json body = keys.object();
@@ -421,6 +454,7 @@ Json DocumentSchema::document() {
   for (const ParamSpec& spec : section_spec("").keys) {
     may_sweep_ = may_be_swept(spec.name);
     put(keys, spec, spec.name == "gravity");
+    if (spec.name == "gravity") or_over_time(keys, spec);
   }
   keys.properties["dimension"] = {{"const", dimension_}, {"description", "2: a vertical plane; 3: space"}};
   keys.properties["flyrock"] = {{"const", 1}, {"description", "format version"}};

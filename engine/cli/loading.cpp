@@ -2,12 +2,30 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "cli/terminal.h"
 #include "document/node.h"
+#include "host/share.h"
 
 namespace flyrock::cli {
 
 namespace po = boost::program_options;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The file of a given name, or that of the shipped scenario with the name.
+std::string scenario_file(const std::string& name) {
+  if (fs::path(name).is_absolute() || fs::exists(name)) return name;
+  for (const char* ending : {"", ".yaml", ".lua"})
+    if (const fs::path shipped = fs::path(share_folder()) / "scenarios" / (name + ending);
+        fs::is_regular_file(shipped))
+      return shipped.string();
+  return name;
+}
+
+}  // namespace
 
 void add_override_options(po::options_description& options) {
   options.add_options()("set", po::value<std::vector<std::string>>()->value_name("path=value"),
@@ -32,7 +50,8 @@ Overrides overrides_of(const CommandLine& line) {
 
 std::optional<LoadedScenario> load(const std::string& path, const Overrides& overrides, bool strict) {
   Diagnostics diagnostics;
-  std::optional<LoadedScenario> loaded = load_scenario(path, overrides, diagnostics);
+  std::optional<LoadedScenario> loaded =
+      load_scenario(overrides.confined ? path : scenario_file(path), overrides, diagnostics);
   if (strict) diagnostics.be_strict();
   if (strict && loaded)
     for (const std::string& key : loaded->plan.not_used)  // "blast.spacing (bench_fit does not read it)"

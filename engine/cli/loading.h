@@ -15,7 +15,8 @@ void add_override_options(boost::program_options::options_description& options);
 Overrides overrides_of(const CommandLine& line);
 
 /// Prints every error and warning; nothing is returned if there are errors. With `strict`, keys that are not
-/// read are errors.
+/// read are errors. Where no file has the name, a shipped scenario is meant: quarry/permit.yaml or
+/// quarry/permit. Not so where the overrides are confined.
 std::optional<LoadedScenario> load(const std::string& path, const Overrides& overrides, bool strict);
 
 }  // namespace flyrock::cli

@@ -133,6 +133,10 @@ function fr.plugin(manifest) end
 ---@param default T
 ---@return T
 function fr.argument(name, default) end
+---A load that changes over time, sampled by 1 ms.
+---@param load fun(time: number): number|number[]
+---@return table
+function fr.over_time(load) end
 )";
 
 std::string quoted_names(const std::vector<std::string>& names) {

@@ -60,6 +60,7 @@ class Runner {
     world_.on_hit = [this] { hit(); };
     if (settings_.series) series_.emplace(world_, *settings_.series);
     release_held();
+    apply_loads();
     energy_ = world_.total_energy();
     progress_.begin(world_);
     world_.choose_density();
@@ -75,6 +76,7 @@ class Runner {
       const bool flies = settings_.exact_flight && !in_contact && !breathes_ && !world_.is_dense();
       in_contact = flies ? fly() : step();
       release_held();
+      apply_loads();
       look_for_jam();
       end_bodies();
       // Bodies in contact touch again and again and time does not advance: advance by one short step that
@@ -137,9 +139,16 @@ class Runner {
   /// Without air and contacts [m/s2].
   Vec<D> steady_acceleration(const Body<D>& body) const { return world_.gravity() + body.load; }
 
-  /// Until the end of the run, or until a body is held no longer [s].
+  /// Gives the world the loads of the next piece of time, once it begins.
+  void apply_loads() {
+    constexpr double rounding = 1e-12;  // s
+    if (!settings_.loads || world_.time < loads_until_ - rounding) return;
+    loads_until_ = settings_.loads->apply(world_, std::max(world_.time, loads_until_));
+  }
+
+  /// Until the end of the run or of a piece of its loads, or until a body is held no longer [s].
   double time_left() const {
-    double end = settings_.stop_time;
+    double end = settings_.loads ? std::min(settings_.stop_time, loads_until_) : settings_.stop_time;
     for (const Body<D>& body : world_.bodies)
       if (body.hold && !world_.settling) end = std::min(end, body.hold->until);
     return end - world_.time;
@@ -477,8 +486,8 @@ class Runner {
   }
 
   /// Ends bodies that have come to rest, left the terrain or diverged. In a world of several bodies, a body
-  /// at rest may be hit again. Therefore all bodies must be at rest, no driven body may move, and none may be
-  /// held until a time within the run.
+  /// at rest may be hit again. Therefore all bodies must be at rest, no driven body may move, no load may
+  /// change, and none may be held until a time within the run.
   void end_bodies() {
     const Domain<D> domain = domain_of(world_.terrain());
     bool all_at_rest = std::none_of(world_.bodies.begin(), world_.bodies.end(), [&](const Body<D>& body) {
@@ -486,6 +495,8 @@ class Runner {
       return body.kind == BodyKind::driven &&
              (body.v.norm() > 0 || body.spin_speed() > 0 || body.push.norm() > 0);
     });
+    if (settings_.loads && !world_.settling && world_.time < settings_.loads->last_change)
+      all_at_rest = false;
     for (int i = 0; i < bodies(); ++i) {
       if (!running_[i]) continue;
       Body<D>& body = world_.bodies[i];
@@ -530,6 +541,7 @@ class Runner {
   std::vector<int> parts_;                            ///< of one body near the ground
   std::vector<std::pair<int, int>> part_pairs_;       ///< of two bodies near each other
   double blind_ = 0, blind_until_ = 0;                ///< s, the last step that ignored touches and its end
+  double loads_until_ = -infinite;                    ///< s, the end of the piece of the loads
   double energy_ = 0;                                 ///< J, at the start, of bodies held until later too
   int stalled_ = 0;
   unsigned reported_ = 0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "flight/any_run.h"
+#include "flight/loads.h"
 #include "flight/series_recorder.h"
 #include "record/plan_cells.h"
 
@@ -14,6 +15,7 @@ struct RunSettings : AnyRun {
   bool exact_flight = true;    ///< false: fixed steps throughout, for comparison with the literature
   std::span<PlanCells> cells;  ///< of each body, where its path is recorded for maps; empty: for none
   const SeriesRequest* series = nullptr;  ///< null: no rows over time
+  const LoadTables* loads = nullptr;      ///< null: they do not change
   /// Called after each step with its length [s], and after each impact with 0. May be empty.
   std::function<void(double step)> advanced;
   std::span<const DrawKey> keys;  ///< of the draws of each body, for trees

@@ -39,6 +39,7 @@ void settle(World<D>& world, const SettleSettings& settings) {
   before_start.stop_time = settings.at_most;
   before_start.stop_speed = settings.until;
   before_start.keep_impacts = false;
+  before_start.loads = settings.loads;
   before_start.watch = settings.watch;
   before_start.interrupted = settings.interrupted;
   std::vector<BodyHistory> histories;

@@ -6,6 +6,7 @@
 
 #include "scenario/decode_sections.h"
 #include "scenario/leaning_holes.h"
+#include "scenario/load_table.h"
 #include "scenario/measure.h"
 #include "scenario/normalise.h"
 #include "scenario/plan.h"
@@ -28,8 +29,10 @@ class DocumentDecoder {
     if (const auto terrain = root_.find("terrain"))
       if (const Value* north = terrain->value->find("north"); north && !north->is_null())
         context_.north = si_of(*north);
-    if (const auto materials = root_.find("materials"))
+    if (const auto materials = root_.find("materials")) {
       scenario_.materials = decode_materials(context_, *materials);
+      check_mu_of_points(*materials);
+    }
     DecodedTerrain terrain;
     if (const auto node = root_.find("terrain")) {
       terrain = decode_terrain(context_, *node, scenario_.materials, !flies, scenario_.streams.seed);
@@ -122,6 +125,7 @@ class DocumentDecoder {
     scenario_.rock_contacts = section.text("rock_contacts") == "on";
     scenario_.body_contacts = section.text("body_contacts") == "on";
     scenario_.gravity = section.number("gravity");
+    scenario_.gravity_over_time = decode_gravity_over_time(root_.find("gravity"), scenario_.dimension);
   }
 
   void decode_head(const Node& node) {
@@ -136,6 +140,7 @@ class DocumentDecoder {
   /// Reports what the method cannot do.
   void check_method() {
     if (scenario_.method == Method::nscd) return;
+    if (scenario_.gravity_over_time) error_at("gravity", table_of_points);
     if (scenario_.rock_contacts)
       error_at("rock_contacts",
                fmt::format("rocks of the method `{}` are points that never meet", name_of(scenario_.method)));
@@ -153,6 +158,17 @@ class DocumentDecoder {
       settle.error(context_.diagnostics, "needs `bodies`, or `rock_contacts: on`");
   }
 
+  static constexpr const char* table_of_points = "changes over time, which needs the method `nscd`";
+
+  /// Points are under loads that do not change.
+  void check_mu_of_points(const Node& materials) {
+    if (scenario_.method == Method::nscd) return;
+    const std::vector<Node> entries = materials.entries();
+    for (std::size_t m = 0; m < scenario_.materials.size(); ++m)
+      if (scenario_.materials[m].mu_over_time)
+        entries[m].find("friction")->find("mu")->error(context_.diagnostics, table_of_points);
+  }
+
   /// Points take neither forces nor holds.
   void check_bodies_of_points(const Node& bodies) {
     if (scenario_.method == Method::nscd) return;
@@ -160,6 +176,9 @@ class DocumentDecoder {
       for (const char* key : {"force", "hold"})
         if (const auto node = find_given(body, key))
           node->error(context_.diagnostics, "needs the method `nscd`");
+    for (std::size_t i = 0; i < scenario_.bodies.size(); ++i)
+      if (const auto& body = scenario_.bodies[i]; body.driven && body.over_time)
+        bodies.items()[i].find("driven")->find("velocity")->error(context_.diagnostics, table_of_points);
   }
 
   /// The names of bodies or groups; none if one of them has no name, which is an error.

@@ -10,6 +10,7 @@
 #include "plugin/contact_law.h"
 #include "plugin/surveyed_terrain.h"
 #include "scenario/decode_shapes.h"
+#include "scenario/load_table.h"
 #include "scenario/normalise_params.h"
 #include "scenario/param_bounds.h"
 
@@ -50,6 +51,8 @@ ParamValue decode_param(DecodeContext& context, const Node& node, const ParamSpe
     case ParamType::vector:
       if (text && std::find(spec.choices.begin(), spec.choices.end(), *text) != spec.choices.end())
         value.text = *text;
+      else if (is_over_time(*node.value))
+        for (const double start : start_of_table(*node.value, spec)) value.numbers.push_back({start, -1});
       else if (node.value->list())
         for (const Node& item : node.items())
           value.numbers.push_back(decode_number(context, item, spec.dimension));

@@ -3,6 +3,7 @@
 #include "document/value.h"
 #include "scenario/decode_sections.h"
 #include "scenario/decode_shapes.h"
+#include "scenario/load_table.h"
 
 namespace flyrock {
 
@@ -108,8 +109,14 @@ BodyPlan decode_body(DecodeContext& context, const Node& node, const std::vector
     for (const Number& component : motion.vector("acceleration"))
       kept.acceleration.push_back(component.constant);
     if (body.fixed) driven->error(context.diagnostics, "a body is either `fixed` or `driven`");
+    body.over_time = decode_over_time(driven->find("velocity"));
+    if (const auto acceleration = find_given(*driven, "acceleration"); acceleration && body.over_time)
+      acceleration->error(context.diagnostics, "is that of the table of `velocity`: leave it out");
   }
-  if (section.given("force")) body.force = section.vector("force");
+  if (section.given("force")) {
+    body.force = section.vector("force");
+    if (const auto table = decode_over_time(node.find("force"))) body.over_time = table;
+  }
   if (section.given("hold")) body.hold = section.number("hold");
   for (const char* key : {"force", "hold"})
     if (section.given(key) && (body.fixed || body.driven))

@@ -11,6 +11,7 @@
 #include "plugin/surveyed_terrain.h"
 #include "scenario/decode_sections.h"
 #include "scenario/ground_store.h"
+#include "scenario/load_table.h"
 #include "scenario/normalise_number.h"
 
 namespace flyrock {
@@ -158,6 +159,16 @@ int find_material(DecodeContext& context, const Node& node, const std::vector<Ma
   return -1;
 }
 
+/// The coefficient of friction of a law that answers with this parameter.
+std::shared_ptr<const OverTime> decode_mu_over_time(DecodeContext& context, const Node& friction) {
+  const std::optional<Node> mu = friction.find("mu");
+  const auto table = decode_over_time(mu);
+  const Value* type = friction.value->find("type");
+  if (table && type && type->text() && *type->text() != "coulomb")
+    mu->error(context.diagnostics, "changes over time only with the friction `coulomb`");
+  return table;
+}
+
 std::vector<Material> decode_materials(DecodeContext& context, const Node& node) {
   std::vector<Material> materials;
   for (const Node& entry : node.entries()) {
@@ -166,7 +177,10 @@ std::vector<Material> decode_materials(DecodeContext& context, const Node& node)
                          .friction = decode_law(context, entry, PluginKind::friction),
                          .rolling = decode_law(context, entry, PluginKind::rolling),
                          .unilateral = decode_law(context, entry, PluginKind::unilateral),
-                         .roughness = {}});
+                         .roughness = {},
+                         .mu_over_time = {}});
+    if (const auto friction = entry.find("friction"))
+      materials.back().mu_over_time = decode_mu_over_time(context, *friction);
     const std::optional<Node> roughness = entry.find("roughness");
     if (!roughness) continue;
     const Number angle = decode_section(context, *roughness, "materials.roughness").number("angle");

@@ -12,7 +12,8 @@ namespace flyrock {
 
 namespace {
 
-constexpr NumberRules gravity_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
+constexpr NumberRules gravity_rules{
+    .varies = true, .scope = Scope::trial, .finest = Scope::trial, .over_time = "gravity"};
 
 /// Added to each hole in each trial.
 constexpr NumberRules scatter_rules{.varies = true, .scope = Scope::hole, .finest = Scope::hole};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "plugin/gain.h"
+#include "scenario/load_table.h"
 #include "scenario/sweep.h"
 #include "units/units.h"
 
@@ -149,6 +150,11 @@ std::string permit_text(const ParamSpec& spec, const NumberRules& rules, double 
 
 Value normalise_draw(DecodeContext& context, const Node& node, const ParamSpec& spec,
                      const NumberRules& rules) {
+  if (is_over_time(*node.value)) {
+    node.error(context.diagnostics,
+               fmt::format("takes no table over time, expected {}", expected_text(spec)));
+    return {};
+  }
   if (!rules.varies) {
     node.error(context.diagnostics, fmt::format("takes no distribution, expected {}", expected_text(spec)));
     return {};

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "document/value.h"
 #include "scenario/decode_context.h"
@@ -11,11 +12,12 @@ namespace flyrock {
 
 /// Which forms a number may have at its place.
 struct NumberRules {
-  bool varies = false;          ///< may be a distribution
-  Scope scope = Scope::trial;   ///< scope of a distribution without `per`
-  Scope finest = Scope::trial;  ///< finest scope that `per` may ask for
-  bool bare_angles = false;     ///< `expect`: angles without a unit are rad
-  bool limits_gain = false;     ///< restitution: `allow_gain` lifts the limit 1 of its numbers
+  bool varies = false;              ///< may be a distribution
+  Scope scope = Scope::trial;       ///< scope of a distribution without `per`
+  Scope finest = Scope::trial;      ///< finest scope that `per` may ask for
+  bool bare_angles = false;         ///< `expect`: angles without a unit are rad
+  bool limits_gain = false;         ///< restitution: `allow_gain` lifts the limit 1 of its numbers
+  std::string_view over_time = {};  ///< the parameter that may be a table over time; empty: none
 };
 
 /// A constant, converted to SI units, without its limits; sweeps and distributions are refused. `expected` is

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "plugin/gain.h"
+#include "scenario/load_table.h"
 #include "scenario/normalise_param.h"
 #include "units/units.h"
 
@@ -122,7 +123,9 @@ Map normalise_params(DecodeContext& context, const Node& map, const std::vector<
           fmt::format("`{}` is missing, expected {}", spec.own_name(), expected_text(spec)));
     if (!node && !by_default) continue;
     Map& to = is_grouped ? normalised_group(normalised, *parent) : normalised;
-    if (node) {
+    if (node && spec.name == rules.over_time && is_over_time(*node->value)) {
+      put(to, *node, normalise_over_time(context, *node, spec));
+    } else if (node) {
       put(to, *node,
           normalise_param(context, *node, spec.unit_exponent.empty() ? spec : with_exponent(spec, specs, map),
                           rules));

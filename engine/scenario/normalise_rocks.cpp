@@ -14,7 +14,8 @@ namespace {
 
 constexpr NumberRules rock_rules{.varies = true, .scope = Scope::rock, .finest = Scope::rock};
 constexpr NumberRules population_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
-constexpr NumberRules body_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
+constexpr NumberRules body_rules{
+    .varies = true, .scope = Scope::trial, .finest = Scope::trial, .over_time = "force"};
 
 struct ReleaseKey {
   std::string_view key;
@@ -201,7 +202,9 @@ Value normalise_group(DecodeContext& context, const Node& node) {
 Value normalise_body(DecodeContext& context, const Node& node) {
   Value body = normalise_section(context, node, context.dimension == 2 ? "bodies" : "bodies 3D", body_rules);
   const std::optional<Node> driven = node.find("driven");
-  if (driven) put(*body.map(), *driven, normalise_section(context, *driven, "bodies.driven", {}));
+  if (driven)
+    put(*body.map(), *driven,
+        normalise_section(context, *driven, "bodies.driven", {.over_time = "velocity"}));
   const bool* fixed = body.find("fixed")->boolean();
   check_mass(context, node, driven || (fixed && *fixed));
   put_turn(context, *body.map(), node, body_rules);

@@ -10,6 +10,8 @@ namespace {
 
 constexpr NumberRules roughness_rules{.varies = true, .scope = Scope::impact, .finest = Scope::impact};
 constexpr NumberRules material_rules{.varies = true, .scope = Scope::rock, .finest = Scope::impact};
+constexpr NumberRules friction_rules{
+    .varies = true, .scope = Scope::rock, .finest = Scope::impact, .over_time = "mu"};
 constexpr NumberRules terrain_rules{.varies = true, .scope = Scope::trial, .finest = Scope::trial};
 
 /// The name of a material; null if it is no text.
@@ -85,7 +87,9 @@ Value normalise_materials(DecodeContext& context, const Node& node) {
       for (const PluginKind kind :
            {PluginKind::restitution, PluginKind::friction, PluginKind::rolling, PluginKind::unilateral})
         if (const std::optional<Node> law = entry.find(name_of(kind)))
-          put(laws, *law, normalise_plugin(context, *law, kind, material_rules));
+          put(laws, *law,
+              normalise_plugin(context, *law, kind,
+                               kind == PluginKind::friction ? friction_rules : material_rules));
       if (const std::optional<Node> roughness = entry.find("roughness"))
         put(laws, *roughness, normalise_section(context, *roughness, "materials.roughness", roughness_rules));
     }

@@ -19,6 +19,7 @@
 #include "geometry/forest.h"
 #include "geometry/height_grid.h"
 #include "geometry/plan_region.h"
+#include "math/over_time.h"
 #include "math/space.h"
 #include "plugin/registry.h"
 #include "scenario/ground_store.h"
@@ -51,7 +52,8 @@ struct AirPlan {
 struct Material {
   std::string name;
   std::optional<PluginUse> restitution, friction, rolling, unilateral;
-  std::optional<Number> roughness;  ///< rad, tilt of a face at an impact of a lumped mass
+  std::optional<Number> roughness;               ///< rad, tilt of a face at an impact of a lumped mass
+  std::shared_ptr<const OverTime> mu_over_time;  ///< in place of what the friction law answers; null: none
 };
 
 /// A region of the terrain with a name of its own. In 2D a stretch from x = `from` to x = `to`; in 3D one of
@@ -219,8 +221,9 @@ struct BodyPlan {
     std::vector<double> velocity, spin, acceleration;
   };
   std::optional<Driven> driven;
-  std::vector<Number> force;   ///< N; empty: none
-  std::optional<Number> hold;  ///< s; absent: it is not held
+  std::vector<Number> force;                  ///< N; empty: none
+  std::shared_ptr<const OverTime> over_time;  ///< of `force`, or of the velocity of a driven body; null: none
+  std::optional<Number> hold;                 ///< s; absent: it is not held
   int material = -1;
 };
 
@@ -455,7 +458,8 @@ struct Scenario {
   bool rock_contacts = false;
   bool body_contacts = true;
   Number gravity;
-  std::optional<AirPlan> air;  ///< absent: none
+  std::shared_ptr<const OverTime> gravity_over_time;  ///< m/s2, a vector; null: `gravity`, downwards
+  std::optional<AirPlan> air;                         ///< absent: none
   TerrainPlan terrain;
   std::vector<Material> materials;
   std::vector<PairPlan> pairs;

@@ -117,6 +117,7 @@ std::shared_ptr<const typename TrialBuilder<D>::Terrain> TrialBuilder<D>::terrai
 
 template <int D>
 Vec<D> TrialBuilder<D>::gravity(const DrawKey& key) const {
+  if (scenario_.gravity_over_time) return scenario_.gravity_over_time->at(0).template head<D>();
   Vec<D> down = Vec<D>::Zero();
   down[D - 1] = -number(scenario_.gravity, key);
   return down;

@@ -45,6 +45,7 @@ PairLaws* WorldLaws::make(int material, const DrawKey& key) {
   bind(laws.friction, of_material.friction, plan.friction, scenario_, key);
   bind(laws.rolling, of_material.rolling, plan.rolling, scenario_, key);
   bind(laws.unilateral, of_material.unilateral, plan.unilateral, scenario_, key);
+  laws.mu = plan.mu_over_time.get();
   if (plan.roughness)
     laws.roughness = {plan.roughness->constant,
                       plan.roughness->is_constant() ? nullptr : &scenario_.draws[plan.roughness->draw]};

@@ -198,6 +198,7 @@ void World<D>::ask_law(Contact& contact, double h) {
     if (laws->reads_state()) state = state_of(contact, h);
     contact.law = laws->ask(state, impact, contact.history);
   }
+  if (laws->mu) contact.law.mu_s = contact.law.mu_d = laws->mu->at(settling ? 0 : time + 0.5 * h).x();
   if (settling) static_cast<Restitution&>(contact.law) = {};
 }
 

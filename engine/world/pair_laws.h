@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "math/over_time.h"
 #include "plugin/contact_law.h"
 #include "plugin/registry.h"
 #include "record/material_use.h"
@@ -63,6 +64,7 @@ class PairLaws {
   BoundLaw<RollingLaw, Rolling> rolling;
   BoundLaw<UnilateralLaw, Unilateral> unilateral;
   Roughness roughness;
+  const OverTime* mu = nullptr;      ///< of friction, in place of what its law answers; null: the law decides
   const Streams* streams = nullptr;  ///< of the draws
   DrawKey key;  ///< trial and rock, for draws per impact; of two bodies of the one with the lower index
   DrawKey key_of_second;  ///< the same of the other one

@@ -31,6 +31,23 @@ int World<D>::add(Body<D> body) {
 }
 
 template <int D>
+void World<D>::set_gravity(const Vec<D>& gravity) {
+  const double before = total_energy();
+  gravity_ = gravity;
+  energy_given_ += total_energy() - before;
+  g_ = std::max(g_, gravity.norm());
+}
+
+template <int D>
+void World<D>::set_force(int body, const Vec<D>& force) {
+  Body<D>& pulled = bodies[body];
+  pulled.push -= pulled.load;
+  pulled.load = force / pulled.mass;
+  pulled.push += pulled.load;
+  g_ = std::max(g_, (gravity_ + pulled.load).norm());
+}
+
+template <int D>
 void World<D>::release_held() {
   for (Body<D>& body : bodies) {
     if (!body.hold || body.hold->until > time) continue;

@@ -100,6 +100,10 @@ class World {
 
   /// Adds a body; returns its index.
   int add(Body<D> body);
+  /// Changes gravity [m/s2]. The potential energy that bodies gain or lose by it is energy_given.
+  void set_gravity(const Vec<D>& gravity);
+  /// Changes the force on a body that contacts move [N].
+  void set_force(int body, const Vec<D>& force);
   /// Gives the bodies their velocities that are held until now or earlier.
   void release_held();
   /// Removes the body that was added last.

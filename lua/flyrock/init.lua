@@ -1,8 +1,8 @@
 -- The module that scenarios and plugins require: local fr = require "flyrock".
--- fr.scenario, fr.plugin and fr.argument belong to the host, which checks what they are given; the rest describes parameters.
+-- fr.scenario, fr.plugin, fr.argument and fr.over_time belong to the host, which checks what they are given; the rest describes parameters.
 local host = ...
 
-local fr = { scenario = host.scenario, plugin = host.plugin, argument = host.argument }
+local fr = { scenario = host.scenario, plugin = host.plugin, argument = host.argument, over_time = host.over_time }
 
 for _, kind in ipairs { "number", "integer", "boolean", "choice", "text", "vector", "points", "plan_points", "file", "spin", "shapes", "records", "law", "group" } do
   fr[kind] = function(fields)

@@ -90,6 +90,7 @@ void LuaSession::open_libraries(lua_State* lua, const std::string& share) {
   add_function("scenario", guarded<scenario>);
   add_function("plugin", guarded<plugin>);
   add_function("argument", guarded<argument>);
+  add_function("over_time", guarded<over_time>);
   run_file(lua, *module);
   lua_createtable(lua, 0, 0);
   make_strict(lua, -2, "fr");
@@ -170,6 +171,7 @@ std::optional<Value> LuaSession::read_scenario(const std::string& path, const st
   load(*file, diagnostics, [&](lua_State* lua) {
     for (const Marked& marked : scenarios_)
       if (marked.table == lua_topointer(lua, -1)) {
+        loads_.sample(lua);
         value = read_value(lua, -1, marked.places, diagnostics, [](const std::string&) { return false; });
         return;
       }
@@ -180,6 +182,7 @@ std::optional<Value> LuaSession::read_scenario(const std::string& path, const st
   if (registered_ > 0) sources_.push_back({name_in_hash(shown), file->text});
   scenario_folder_.reset();
   scenarios_.clear();
+  loads_.clear();
   if (diagnostics.has_errors()) return std::nullopt;
   return value;
 }
@@ -234,6 +237,14 @@ int LuaSession::argument(lua_State* lua) {
   if (!session.main_)
     throw std::runtime_error("fr.argument is for loading: it stands at the top level of a file");
   session.arguments_.answer(lua);
+  return 1;
+}
+
+int LuaSession::over_time(lua_State* lua) {
+  LuaSession& session = self(lua);
+  if (!session.scenario_folder_)
+    throw std::runtime_error("fr.over_time is for Lua scenarios: it stands at the top level of one");
+  session.loads_.answer(lua);
   return 1;
 }
 

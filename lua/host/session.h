@@ -10,6 +10,7 @@
 
 #include "document/diagnostics.h"
 #include "document/value.h"
+#include "host/load_functions.h"
 #include "host/locate.h"
 #include "host/lua_arguments.h"
 #include "host/source_files.h"
@@ -73,6 +74,7 @@ class LuaSession {
   static int scenario(lua_State* lua);
   static int plugin(lua_State* lua);
   static int argument(lua_State* lua);
+  static int over_time(lua_State* lua);
   static int require(lua_State* lua);
 
   void open_libraries(lua_State* lua, const std::string& share);
@@ -98,6 +100,7 @@ class LuaSession {
   SourceFiles files_;
   std::vector<SourceText> sources_;
   LuaArguments arguments_;
+  LoadFunctions loads_;
   std::map<std::string, int> required_;  // by path: reference of the result; 0 while it is being loaded
   std::vector<Marked> scenarios_;
 

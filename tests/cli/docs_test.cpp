@@ -377,3 +377,22 @@ TEST_CASE("the recipes for other programs run where these are installed", "[slow
   REQUIRE(recipes == 3);
   if (!skipped.empty()) WARN(skipped);  // last, because CTest takes this word for the outcome of the test
 }
+
+TEST_CASE("The README says what its first command gives", "[slow]") {
+  const Folder folder;
+  REQUIRE(call(folder, "run " FLYROCK_SOURCE_DIR "/scenarios/ninh_dan/benches_2d.yaml --quiet -o r").code ==
+          0);
+  const auto summary = nlohmann::json::parse(read(folder.path() / "r/summary.json"));
+  const auto& group = summary.at("points").at(0).at("rocks").at(1);
+  REQUIRE(group.at("group") == "fly_rock");
+  const auto& runout = group.at("runout");
+  const auto metres = [](const nlohmann::json& value) { return fmt::format("{:.3g}", value.get<double>()); };
+  const std::string words = fmt::format(
+      "95 of 100 rocks stop within {} m (95 % interval {} to {} m), 99 within {} m, the farthest at {} m.",
+      metres(runout.at("p95")), metres(runout.at("intervals").at("p95").at(0)),
+      metres(runout.at("intervals").at("p95").at(1)), metres(runout.at("p99")), metres(runout.at("max")));
+  const std::string readme =
+      std::regex_replace(read(FLYROCK_SOURCE_DIR "/README.md"), std::regex("\\s+"), " ");
+  INFO(words);
+  CHECK(readme.find(words) != std::string::npos);
+}

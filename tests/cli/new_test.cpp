@@ -33,6 +33,19 @@ TEST_CASE("new lists what there is, and each template of a plugin is a sound one
   CHECK(templates == 8);
 }
 
+TEST_CASE("A shipped scenario is found by its name from any folder, unless a file has the name") {
+  const Folder folder;
+  for (const char* name : {"quarry/catch_ditch", "quarry/catch_ditch.yaml", "ninh_dan/benches_2d.lua"}) {
+    INFO(name);
+    CHECK(call(folder, std::string("check ") + name).code == 0);
+  }
+  CHECK(call(folder, "check quarry/no_such").code == 2);
+  CHECK(call(folder, "check --confined quarry/catch_ditch").code == 2);
+  fs::create_directories(folder.path() / "quarry");
+  folder.write("quarry/catch_ditch.yaml", "flyrock: 1\n");
+  CHECK(call(folder, "check quarry/catch_ditch.yaml").code == 2);
+}
+
 TEST_CASE("new copies a scenario with the files that it names, and never over a file", "[slow]") {
   const Folder folder;
   const Output made = call(folder, "new quarry/permit -o site");
