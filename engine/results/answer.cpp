@@ -10,6 +10,7 @@
 
 #include "results/answer_shares.h"
 #include "results/asked_answer.h"
+#include "results/assembly.h"
 #include "results/barrier_choice.h"
 #include "results/lost.h"
 #include "results/outer.h"
@@ -147,6 +148,11 @@ std::string bodies_answer(const Plan& plan, const Results& results) {
   }
   std::vector<std::string> sentences;
   if (!standing.empty()) sentences.push_back(standing_text(standing, longest));
+  if (moved.size() >= least_assembly) {
+    const Assembly assembly = assembly_of(moving_bodies(scenario), results.points.front().totals.bodies);
+    sentences.push_back(assembly_text(assembly, moved.size(), scenario.dimension));
+    moved.clear();
+  }
   for (std::size_t b = 0; b < std::min(moved.size(), most_bodies_named); ++b) sentences.push_back(moved[b]);
   if (moved.size() > most_bodies_named)
     sentences.push_back(more_bodies(moved.size() - most_bodies_named) + " moved.");

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "document/wording.h"
+#include "results/assembly.h"
 #include "results/unknown.h"
 #include "scenario/measure.h"
 
@@ -48,6 +49,11 @@ Measure::Measure(const std::string& name, const Scenario& scenario) : dimension_
   const std::vector<std::string> words = measure_steps(name);
   if (words[0] == "body") {
     read_body(words, scenario);
+  } else if (words[0] == "assembly") {
+    kind_ = Kind::assembly;
+    moves_ = moving_bodies(scenario);
+    field_ = words[1];
+    if (words.size() > 2) table_ = words[2];
   } else if (words[0] == "contact") {
     read_contact(words);
   } else if (words[0] == "rocks") {
@@ -126,6 +132,8 @@ Measured Measure::value(const PointResult& result) const {
       return {result.totals.quality.energy_relative_change, false, {}};
     case Kind::solver:
       return solver_value(result, field_);
+    case Kind::assembly:
+      return {assembly_value(result.totals), false, {}};
     case Kind::contact: {
       const ContactMeasure::Answer answer = contact_.value(result.series.contacts);
       return {answer.value, false, answer.fault};
@@ -205,6 +213,13 @@ Measured Measure::solver_value(const PointResult& result, const std::string& fie
   return {values[index_of(field, solver_fields)], false, {}};
 }
 
+double Measure::assembly_value(const TrialTotals& totals) const {
+  const Assembly assembly = assembly_of(moves_, totals.bodies);
+  if (field_ == "at_rest") return assembly.at_rest;
+  const BodyState& state = table_ == "mean" ? assembly.mean : table_ == "min" ? assembly.low : assembly.high;
+  return value_of(state);
+}
+
 Measured Measure::gate_value(const GateSummary& gate) const {
   const std::array<Bounded, gate_fields.size()> values = {
       gate.shares.of_all, gate.energy[static_cast<int>(Statistic::mean)],
@@ -271,7 +286,10 @@ Measured Measure::body_value(const BodyHistory& body) const {
 double Measure::state_value(const BodyHistory& body) const {
   // The extremes of speed do not follow from those of its components, so they are stored separately.
   if (field_ == "speed" && table_ != "final") return table_ == "max" ? body.max_speed : body.min_speed;
-  const BodyState& s = table_ == "final" ? body.last : table_ == "max" ? body.max : body.min;
+  return value_of(table_ == "final" ? body.last : table_ == "max" ? body.max : body.min);
+}
+
+double Measure::value_of(const BodyState& s) const {
   const std::array<double, state_fields.size()> values = {
       s.position.x(),  s.position.y(), s.position.z(),    s.velocity.x(),
       s.velocity.y(),  s.velocity.z(), s.velocity.norm(), dimension_ == 2 ? s.spin.z() : s.spin.norm(),

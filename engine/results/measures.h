@@ -69,7 +69,8 @@ class Measure {
 
   /// Whether it needs the full number of trials, as statistics of rocks do.
   bool of_rocks() const {
-    return kind_ != Kind::body && kind_ != Kind::contact && kind_ != Kind::energy && kind_ != Kind::solver;
+    return kind_ != Kind::body && kind_ != Kind::assembly && kind_ != Kind::contact &&
+           kind_ != Kind::energy && kind_ != Kind::solver;
   }
   Measured value(const PointResult& result) const;
   /// The interval beside the value; NaN if there is none.
@@ -86,6 +87,7 @@ class Measure {
     clearance,
     exposure,
     body,
+    assembly,
     contact,
     energy,
     solver
@@ -102,7 +104,9 @@ class Measure {
   static Measured clearance_value(const ClearanceSummary& clearance, const std::string& field);
   static Measured exposure_value(const ExposureSummary& exposure, const std::string& field);
   Measured body_value(const BodyHistory& body) const;
+  double assembly_value(const TrialTotals& totals) const;
   double state_value(const BodyHistory& body) const;
+  double value_of(const BodyState& state) const;
 
   Kind kind_ = Kind::statistic;
   int index_ = 0;   ///< of the group (0: all rocks), gate, barrier, clearance, exposure or body
@@ -113,6 +117,7 @@ class Measure {
   ContactMeasure contact_;
   std::size_t quantity_ = 0;  ///< of rock_statistics
   Statistic statistic_ = Statistic::mean;
+  std::vector<bool> moves_;                 ///< of an assembly: which bodies of the scenario
   Share Shares::*sense_ = &Shares::of_all;  ///< of a gate or barrier
 };
 

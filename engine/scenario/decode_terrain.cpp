@@ -147,6 +147,16 @@ void decode_part_materials(DecodeContext& context, const Node& node, const std::
                                     : fmt::format("`materials` gives none for the part `{}`", part));
 }
 
+/// The coefficient of friction of a law that answers with this parameter.
+std::shared_ptr<const OverTime> decode_mu_over_time(DecodeContext& context, const Node& friction) {
+  const std::optional<Node> mu = friction.find("mu");
+  const auto table = decode_over_time(mu);
+  const Value* type = friction.value->find("type");
+  if (table && type && type->text() && *type->text() != "coulomb")
+    mu->error(context.diagnostics, "changes over time only with the friction `coulomb`");
+  return table;
+}
+
 }  // namespace
 
 int find_material(DecodeContext& context, const Node& node, const std::vector<Material>& materials) {
@@ -157,16 +167,6 @@ int find_material(DecodeContext& context, const Node& node, const std::vector<Ma
   node.error(context.diagnostics,
              fmt::format("there is no material `{}`{}", *name, suggestion(*name, names_of(materials))));
   return -1;
-}
-
-/// The coefficient of friction of a law that answers with this parameter.
-std::shared_ptr<const OverTime> decode_mu_over_time(DecodeContext& context, const Node& friction) {
-  const std::optional<Node> mu = friction.find("mu");
-  const auto table = decode_over_time(mu);
-  const Value* type = friction.value->find("type");
-  if (table && type && type->text() && *type->text() != "coulomb")
-    mu->error(context.diagnostics, "changes over time only with the friction `coulomb`");
-  return table;
 }
 
 std::vector<Material> decode_materials(DecodeContext& context, const Node& node) {

@@ -45,6 +45,19 @@ Table with(Table base, Named entry) {
 }
 const Table state_components_3d = with(extreme_components_3d, {"spin", dimension::spin});
 
+/// Of the last states of all bodies that move.
+const Table assembly_components_2d{{"x", dimension::length},
+                                   {"y", dimension::length},
+                                   {"vx", dimension::speed},
+                                   {"vy", dimension::speed},
+                                   {"kinetic_energy", dimension::energy}};
+const Table assembly_components_3d = [] {
+  Table table = assembly_components_2d;
+  table.push_back({"z", dimension::length});
+  table.push_back({"vz", dimension::speed});
+  return table;
+}();
+
 const Table impact_quantities{{"time", dimension::time},
                               {"x", dimension::length},
                               {"y", dimension::length},
@@ -103,10 +116,12 @@ class MeasureParser {
       : measure_(measure), names_(names), steps_(measure_steps(measure)) {}
 
   MeasureInfo parse() {
-    static const std::vector<std::string> kinds{"body",  "contact",   "rocks",    "gate",   "barrier",
-                                                "trees", "clearance", "exposure", "energy", "solver"};
+    static const std::vector<std::string> kinds{"body",     "assembly", "contact", "rocks",
+                                                "gate",     "barrier",  "trees",   "clearance",
+                                                "exposure", "energy",   "solver"};
     const std::string kind = next(kinds);
     if (kind == "body") parse_body();
+    if (kind == "assembly") parse_assembly();
     if (kind == "contact") parse_contact();
     if (kind == "rocks") parse_rocks();
     if (kind == "gate") {
@@ -186,6 +201,16 @@ class MeasureParser {
     if (kind == "impact[n]") finish(plane ? impact_quantities : impact_quantities_3d);
     if (kind == "apex[n]") finish(apex_quantities);
     if (kind == "stop_time" || kind == "contact_time") info_.dimension = dimension::time;
+  }
+
+  void parse_assembly() {
+    if (names_.bodies.empty()) return fail("the scenario has no bodies");
+    if (at_ < steps_.size() && steps_[at_] == "at_rest") {
+      ++at_;
+      return;
+    }
+    finish(names_.dimension == 2 ? assembly_components_2d : assembly_components_3d);
+    next({"mean", "min", "max"});
   }
 
   void need_series() {
