@@ -63,6 +63,9 @@ void write_routh(const Explanation& explanation, const std::string& file, const 
        {"newton", &diagram.newton},
        {"poisson", &diagram.poisson},
        {"energy", &diagram.energy}}};
+  const std::array<std::pair<const char*, const std::vector<RouthPoint>*>, 2> lines = {
+      {{"line of sticking", &diagram.sticking},
+       {"line of greatest compression", &diagram.greatest_compression}}};
   if (std::filesystem::path(file).extension() == ".csv") {
     std::string csv = "at,pn_N_s,pt_N_s,vn_m_s,vt_m_s\n";
     const auto row = [&](const char* name, const RouthPoint& point) {
@@ -71,6 +74,8 @@ void write_routh(const Explanation& explanation, const std::string& file, const 
     };
     for (const RouthPoint& point : diagram.path) row("path", point);
     for (const auto& [name, point] : marks) row(name, *point);
+    for (const auto& [name, line] : lines)
+      for (const RouthPoint& point : *line) row(name, point);
     write_file(file, csv);
     return;
   }
@@ -82,13 +87,26 @@ void write_routh(const Explanation& explanation, const std::string& file, const 
   }
   plot.curves.push_back(path);
   plot.curves.push_back({"bounds of friction", {end, 0, end}, {mu * end, 0, -mu * end}, true});
+  const std::array<const char*, 2> meanings = {"line of sticking: v_t = 0",
+                                               "line of greatest compression: v_n = 0"};
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    Curve line{meanings[i], {}, {}, true};
+    for (const RouthPoint& point : *lines[i].second) {
+      line.x.push_back(point.impulse[0]);
+      line.y.push_back(point.impulse[1]);
+    }
+    if (!line.x.empty()) plot.curves.push_back(line);
+  }
   // A mark is a short upright line.
   const double size = 0.04 * std::max(mu * end, 1e-3 * end);
-  for (const auto& [name, point] : marks)
-    plot.curves.push_back({name,
-                           {point->impulse[0], point->impulse[0]},
-                           {point->impulse[1] - size, point->impulse[1] + size},
-                           false});
+  const std::array<const char*, 5> words = {
+      "slip ends", "compression ends", "Newton ends: v_n = -e v_n before", "Poisson ends: P_n = (1 + e) P_c",
+      "energy ends: work of restitution e^2 that of compression"};
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const Eigen::Vector2d& impulse = marks[i].second->impulse;
+    plot.curves.push_back(
+        {words[i], {impulse[0], impulse[0]}, {impulse[1] - size, impulse[1] + size}, false});
+  }
   write_file(file, svg_of(title, {plot}));
 }
 

@@ -33,11 +33,11 @@ struct Task {
   double time = 0;    ///< s, the greatest stop.time
 };
 
-double trials_of(const Plan& plan) {
+double trials_asked(const Plan& plan) {
   return static_cast<double>(plan.points.front().trials_of_run()) * static_cast<double>(plan.points.size());
 }
 
-double time_of(const Plan& plan) {
+double time_asked(const Plan& plan) {
   double time = 0;
   for (const Scenario& point : plan.points) time = std::max(time, point.stop.time);
   return time;
@@ -48,8 +48,8 @@ std::optional<Task> task_of(const Lab& lab) {
   const std::optional<LoadedScenario> loaded = load(lab.scenario().string(), {}, false);
   if (!loaded) return std::nullopt;
   Task task;
-  task.trials = trials_of(loaded->plan);
-  task.time = time_of(loaded->plan);
+  task.trials = trials_asked(loaded->plan);
+  task.time = time_asked(loaded->plan);
   const Value* expect = loaded->plan.resolved.find("expect");
   if (!expect) return task;
   task.expect = to_json(*expect, 0);
@@ -85,17 +85,17 @@ std::string refusal_of(const Plan& plan, const Task& task) {
                            names.size() == 1
                                ? "no body"
                                : fmt::format("`{}`", fmt::join(names.begin() + 1, names.end(), "`, `")));
-  if (trials_of(plan) > most_of_lab * task.trials)
-    return fmt::format("{:g} trials, expected at most {:g}: ten times those of the lab", trials_of(plan),
+  if (trials_asked(plan) > most_of_lab * task.trials)
+    return fmt::format("{:g} trials, expected at most {:g}: ten times those of the lab", trials_asked(plan),
                        most_of_lab * task.trials);
-  if (time_of(plan) > most_of_lab * task.time)
+  if (time_asked(plan) > most_of_lab * task.time)
     return fmt::format("stop.time is {:g} s, expected at most {:g} s: ten times that of the lab",
-                       time_of(plan), most_of_lab * task.time);
+                       time_asked(plan), most_of_lab * task.time);
   return "";
 }
 
 /// In the child: looks at a scenario before it runs it.
-int judge(const std::string& student, const Task& task, const fs::path& folder) {
+int judge_student(const std::string& student, const Task& task, const fs::path& folder) {
   static const Command command = {"run", "run SCENARIO [options]", "", run};
   {
     const Overrides without_expectations{.set = {"expect=[]"}, .confined = true};
@@ -165,16 +165,19 @@ Grade grade_one(const std::string& student, const Task& task, const ChildLimits&
                 const fs::path& folder, double& seconds, bool& was_stopped) {
   fs::remove_all(folder);
   const fs::path log = folder.string() + ".txt";
-  const ChildEnd end = run_limited(limits, log, folder, [&] { return judge(student, task, folder); });
+  const ChildEnd end = run_limited(limits, log, folder, [&] { return judge_student(student, task, folder); });
   seconds = end.seconds;
   was_stopped = end.code == interrupted;
-  if (!end.code) return {"error", end.why};
+  if (!end.code) {
+    fs::remove_all(folder);  // of no use, and large
+    return {"error", end.why};
+  }
   if (ended_without_results(*end.code, folder)) return {"error", first_error(log)};
   return grade_of_results(folder);
 }
 
 /// "3-an" of the third file, class/an.yaml: letters that every file system takes.
-std::string folder_of(const std::string& student, std::size_t number) {
+std::string own_folder_of(const std::string& student, std::size_t number) {
   constexpr std::size_t longest = 60;
   std::string stem = fs::path(student).stem().string().substr(0, longest);
   for (char& c : stem)
@@ -210,7 +213,7 @@ int grade(const Command& command, const Arguments& arguments) {
   bool all_passed = true, any_ran = false;
   for (std::size_t i = 0; i < line.words.size(); ++i) {
     const std::string& student = line.words[i];
-    const fs::path own = folder / folder_of(student, i + 1);
+    const fs::path own = folder / own_folder_of(student, i + 1);
     double seconds = 0;
     bool was_stopped = false;
     const Grade found = grade_one(student, *task, limits, own, seconds, was_stopped);

@@ -8,9 +8,9 @@ namespace flyrock {
 
 struct Curve {
   std::string name;
-  std::vector<double> x, y;       ///< same length, finite
-  bool dashed = false;            ///< a curve that coincides with it shows through the gaps
-  std::vector<double> low, high;  ///< of a pale band about it, or nothing; NaN where it has none
+  std::vector<double> x, y;                 ///< same length, finite
+  bool dashed = false;                      ///< a curve that coincides with it shows through the gaps
+  std::vector<double> low = {}, high = {};  ///< of a pale band about it, or nothing; NaN where it has none
 };
 
 /// One pair of axes.

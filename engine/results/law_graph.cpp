@@ -15,8 +15,9 @@ namespace flyrock {
 namespace {
 
 constexpr double gravity = 9.81, step_length = 1e-3;
-constexpr int half_count = 100;  // points on each side of 0
-constexpr double load = 10;      // the greatest, in weights of the ball
+constexpr int half_count = 100;      // points on each side of 0
+constexpr double load = 10;          // the greatest, in weights of the ball
+constexpr double load_in_pulls = 4;  // the greatest, in pulls of a contact that bears a pull
 
 /// Where the axis of the first graph ends, in SI units.
 double range(const LawBall& ball, const Dimension& dimension, double usual) {
@@ -300,7 +301,10 @@ std::vector<LawGraph> graphs_of(SampledLaw<UnilateralLaw> asked, const LawBall& 
     posed.before = posed.free = {free, 0, 0};
     return solve(ball, posed);
   };
-  const double fastest = range(ball, dimension::speed, 2);
+  // A pull sets the scale of both graphs: in that of the ball's weight it may be too small to be seen.
+  const double pull = law_at(0).c_n;
+  const double greatest = pull > 0 ? load_in_pulls * pull : load * ball.mass * gravity;  // N
+  const double fastest = range(ball, dimension::speed, pull > 0 ? greatest * step_length / ball.mass : 2);
   LawGraph by_speed{"by velocity, h = 1 ms",
                     "normal velocity after the step [m/s]",
                     "force r_n / h [N]",
@@ -317,12 +321,13 @@ std::vector<LawGraph> graphs_of(SampledLaw<UnilateralLaw> asked, const LawBall& 
     by_speed.cases.push_back({"open by 1 mm", {}, {}});
     add_speeds(by_speed.cases[1], 1e-3);
   }
-  LawGraph by_gap{"from ten weights pushing to ten pulling, h = 1 ms",
+  LawGraph by_gap{fmt::format("from {0} pushing to {0} pulling, h = 1 ms",
+                              pull > 0 ? fmt::format("{:.4g} N", greatest) : "ten weights"),
                   "gap that is left [m]",
                   "force r_n / h [N]",
                   {{"", {}, {}}}};
   for (int i = half_count; i >= -half_count; --i) {
-    const Solved solved = solved_at(0, -load * i / half_count * gravity * step_length);
+    const Solved solved = solved_at(0, -greatest / ball.mass * i / half_count * step_length);
     put(by_gap.cases[0], step_length * solved.velocity[0], solved.impulse[0] / step_length);
   }
   return {by_speed, by_gap};

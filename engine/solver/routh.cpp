@@ -8,6 +8,30 @@
 
 namespace flyrock {
 
+namespace {
+
+/// The part of the line (v + W P)[row] = 0 that lies in the box |P_t| <= height, 0 <= P_n <= width.
+std::vector<Eigen::Vector2d> line_in_box(const Eigen::Matrix2d& w, const Eigen::Vector2d& v, int row,
+                                         double width, double height) {
+  const Eigen::Vector2d normal = w.row(row), along(-normal[1], normal[0]);
+  const Eigen::Vector2d start = -v[row] / normal.squaredNorm() * normal;
+  const Eigen::Vector2d low(0, -height), high(width, height);
+  double first = -std::numeric_limits<double>::infinity(), last = -first;  // of start + s along
+  for (int k = 0; k < 2; ++k) {
+    if (along[k] == 0) {
+      if (start[k] < low[k] || start[k] > high[k]) return {};
+      continue;
+    }
+    const double a = (low[k] - start[k]) / along[k], b = (high[k] - start[k]) / along[k];
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  }
+  if (first >= last) return {};
+  return {start + first * along, start + last * along};
+}
+
+}  // namespace
+
 RouthDiagram routh_diagram(const Eigen::Matrix2d& w, const Eigen::Vector2d& v, double mu, double e) {
   constexpr double beyond = 1.1;  // the path is drawn a little farther than its last end
   RouthDiagram diagram;
@@ -38,6 +62,10 @@ RouthDiagram routh_diagram(const Eigen::Matrix2d& w, const Eigen::Vector2d& v, d
     diagram.path.push_back(at(last * Eigen::Vector2d(1, slope)));
     diagram.slip_end = diagram.path.back();
   }
+  for (const Eigen::Vector2d& end : line_in_box(w, v, 1, last, mu * last))
+    diagram.sticking.push_back(at(end));
+  for (const Eigen::Vector2d& end : line_in_box(w, v, 0, last, mu * last))
+    diagram.greatest_compression.push_back(at(end));
   return diagram;
 }
 

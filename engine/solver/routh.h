@@ -19,6 +19,10 @@ struct RouthDiagram {
   RouthPoint slip_end;                 ///< where slip first ends; the end of the path if it does not
   RouthPoint compression_end;          ///< v_n = 0
   RouthPoint newton, poisson, energy;  ///< where these laws end it (impact_path.h)
+  /// Two lines of the plane, from end to end within 0 <= P_n <= the end of the path and |P_t| <= mu P_n
+  /// there: v_t = 0, where a path that meets it sticks or reverses its slip, and v_n = 0, where compression
+  /// ends. Empty where a line passes outside.
+  std::vector<RouthPoint> sticking, greatest_compression;
 };
 
 /// `w`: symmetric positive definite, 1/kg; `v`: v^-, with v_n < 0; `e`: the coefficient of restitution.

@@ -99,6 +99,18 @@ TEST_CASE("a lab fails as soon as an expected number moves by 20 tolerances", "[
   }
 }
 
+TEST_CASE("labs that run at a time give the lines of labs that run one after the other", "[slow]") {
+  const Folder folder;
+  const Output output = call(folder, "course -j 4 -o labs");
+  INFO(output.out << output.err);
+  CHECK(output.code == 0);
+  std::size_t at = 0;
+  for (const std::string& name : labs(folder)) {
+    at = output.out.find("holds  " + name + " ", at);
+    REQUIRE(at != std::string::npos);
+  }
+}
+
 TEST_CASE("course shows one lab with its page, question and verdict") {
   const Folder folder;
   const Output one = call(folder, "course bouncing_ball");

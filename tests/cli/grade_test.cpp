@@ -99,6 +99,7 @@ TEST_CASE("grade has a row for each file of a class, whatever the file does", "[
     CHECK(row.failed.empty() == (row.result == "passed"));
     CHECK(output.err.find(std::string(student.file) + ": ") != std::string::npos);
   }
+  CHECK_FALSE(folder.has("out/grade/10-huge"));
   CHECK(call(folder, "grade right.yaml --with bouncing_ball").code == 0);
 }
 

@@ -152,6 +152,15 @@ TEST_CASE("The graph of a constraint is a corner: no force where a gap is left")
   CHECK(corner.find("9.81e-05  0\n") != std::string::npos);
 }
 
+TEST_CASE("the graph of a contact that bears a pull has the scale of the pull") {
+  const Folder folder;
+  const std::string out = call(folder, "law unilateral/cohesive --set \"pull=100 N\"").out;
+  INFO(out);
+  CHECK(out.find("from 400 N pushing to 400 N pulling") != std::string::npos);
+  CHECK(out.find("  -80\n") != std::string::npos);   // held
+  CHECK(out.find("  -100\n") != std::string::npos);  // torn apart: no more than the pull
+}
+
 TEST_CASE("verify holds in all its rows", "[slow]") {
   const Folder folder;
   const Output output = call(folder, "verify --json");

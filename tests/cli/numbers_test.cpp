@@ -128,9 +128,10 @@ Sources sources_in(const std::string& text) {
         measured.unit = " " + word;
         words >> word;
       }
-      measured.measure = word;
-      if (const std::size_t bar = line.find('|'); bar != std::string::npos)
-        measured.rest = "," + line.substr(bar + 1);
+      const std::size_t from = line.find(word, line.find(first) + first.size() + measured.unit.size());
+      const std::size_t bar = line.find(" |");
+      measured.measure = line.substr(from, bar == std::string::npos ? bar : bar - from);  // "...at[0.1 s]"
+      if (bar != std::string::npos) measured.rest = "," + line.substr(bar + 2);
       REQUIRE(!sources.runs.empty());
       sources.runs.back().measured.push_back(measured);
       sources.add(first);

@@ -33,6 +33,28 @@ TEST_CASE("the path in impulse space has the corners and ends of the closed form
   }
 }
 
+TEST_CASE("the lines of sticking and of greatest compression are where the velocities vanish") {
+  const double nt = 0.75 * std::sqrt(3.0);
+  const Eigen::Matrix2d w{{3.25, nt}, {nt, 1.75}};
+  const RouthDiagram diagram = routh_diagram(w, {-1, -0.2}, 0.3, 0.5);
+  const double width = diagram.path.back().impulse[0], height = 0.3 * width;
+  REQUIRE(diagram.sticking.size() == 2);
+  REQUIRE(diagram.greatest_compression.size() == 2);
+  for (const RouthPoint& end : diagram.sticking) CHECK(end.velocity[1] == Approx(0).margin(1e-12));
+  for (const RouthPoint& end : diagram.greatest_compression)
+    CHECK(end.velocity[0] == Approx(0).margin(1e-12));
+  for (const auto* line : {&diagram.sticking, &diagram.greatest_compression}) {
+    CHECK(((*line)[0].impulse - (*line)[1].impulse).norm() > 0.1 * height);
+    for (const RouthPoint& end : *line) {
+      CHECK(end.impulse[0] >= -1e-12);
+      CHECK(end.impulse[0] <= width + 1e-12);
+      CHECK(std::abs(end.impulse[1]) <= height + 1e-12);
+    }
+  }
+  // A push along the normal turns a central contact not at all: no P within reach makes v_t = 0.
+  CHECK(routh_diagram(Eigen::Matrix2d{{1, 0}, {0, 3}}, {-2, 30}, 0.2, 0.5).sticking.empty());
+}
+
 TEST_CASE("a contact that sticks, or slips throughout, has two legs or one") {
   const Eigen::Matrix2d w{{2.5, 1.5}, {1.5, 2.5}};
   const RouthDiagram sticks = routh_diagram(w, {-1, -0.6}, 1, 0.9);
