@@ -4,7 +4,7 @@
 PACKAGES_build := g++ cmake ninja-build libeigen3-dev libyaml-cpp-dev liblua5.4-dev libboost-dev \
   libboost-program-options-dev libboost-math-dev librandom123-dev \
   nlohmann-json3-dev libfmt-dev libsqlite3-dev zlib1g-dev libqhull-dev libnlopt-dev libhdf5-dev \
-  libtinyobjloader-dev catch2 npm
+  libtinyobjloader-dev libpugixml-dev catch2 npm
 PACKAGES_deb := $(PACKAGES_build) dpkg-dev file libgdal-dev
 PACKAGES_bare := debootstrap
 PACKAGES_browser := chromium

@@ -17,6 +17,7 @@ std::unique_ptr<ShapeModel> make_hollow_cylinder(Params& params);
 std::unique_ptr<ShapeModel> make_hollow_disk(Params& params);
 std::unique_ptr<ShapeModel> make_pneumatic_disk(Params& params);
 std::unique_ptr<ShapeModel> make_pneumatic_hollow_disk(Params& params);
+std::unique_ptr<ShapeModel> make_deformable(Params& params);
 std::unique_ptr<ShapeModel> make_mesh_patch(Params& params);
 std::unique_ptr<ShapeModel> make_mesh_point(Params& params);
 std::unique_ptr<ShapeModel> make_polyline(Params& params);

@@ -17,6 +17,7 @@ FLYROCK_MODULE(table) {
   table[{shape, "hollow_disk"}] = make_hollow_disk;
   table[{shape, "pneumatic_disk"}] = make_pneumatic_disk;
   table[{shape, "pneumatic_hollow_disk"}] = make_pneumatic_hollow_disk;
+  table[{shape, "deformable"}] = make_deformable;
   table[{shape, "hollow_cylinder"}] = make_hollow_cylinder;
   table[{shape, "plane"}] = make_plane_body;
   table[{shape, "point"}] = make_point;

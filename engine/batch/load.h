@@ -29,6 +29,7 @@ struct LoadedScenario {
   std::vector<std::string> warnings;  ///< from the reader: "blast.hole: the hole is shorter than the bench"
   std::string tiers;                  ///< from trying it out: which shapes have less exact contacts
   std::string pile_cost;              ///< and what piles of many bodies may cost
+  std::string deformable;             ///< and how deformable bodies touch
   bool defines_plugins = false;       ///< a Lua scenario that calls fr.plugin
   std::uint64_t own_trials = 1;       ///< `trials` of the file, without `--trials`
 };

@@ -169,4 +169,12 @@ std::vector<SurfaceCorner> surface_of(const std::vector<Contactor3>& contactors)
   return corners;
 }
 
+std::vector<SurfaceCorner> surface_of(const Body<2>& body) {
+  if (!body.deformation.moves()) return surface_of(body.contactors);
+  std::vector<Vec2> corners;
+  for (const Contactor2& node : body.contactors) corners.push_back(node.points.front());
+  return surface_of(std::vector{Contactor2::hull(std::move(corners), 0)});
+}
+std::vector<SurfaceCorner> surface_of(const Body<3>& body) { return surface_of(body.contactors); }
+
 }  // namespace flyrock

@@ -6,11 +6,15 @@
 #include "geometry/contactor.h"
 #include "geometry/contactor3.h"
 #include "record/scenery.h"
+#include "world/body.h"
 
 namespace flyrock {
 
 /// The corners of all faces.
 std::vector<SurfaceCorner> surface_of(const std::vector<Contactor2>& contactors);
 std::vector<SurfaceCorner> surface_of(const std::vector<Contactor3>& contactors);
+/// The same of a body; a deformable block has one face through its nodes.
+std::vector<SurfaceCorner> surface_of(const Body<2>& body);
+std::vector<SurfaceCorner> surface_of(const Body<3>& body);
 
 }  // namespace flyrock

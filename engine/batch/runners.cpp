@@ -27,6 +27,7 @@ Runners try_runners(LoadedScenario& scenario, std::uint64_t trials, Diagnostics&
       diagnostics.warning(place(warning.path), warning.path, warning.what());
     if (scenario.tiers.empty()) scenario.tiers = tried.tiers;
     if (scenario.pile_cost.empty()) scenario.pile_cost = tried.pile_cost;
+    if (scenario.deformable.empty()) scenario.deformable = tried.deformable;
   }
   for (std::string& warning : diagnostics.warnings()) scenario.warnings.push_back(std::move(warning));
   return diagnostics.has_errors() ? Runners() : make_runners(scenario.plan);

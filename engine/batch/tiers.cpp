@@ -27,7 +27,7 @@ void add_name(std::vector<std::string>& names, const std::string& name) {
 
 template <int D>
 Tier tier_of(const Body<D>& body) {
-  if (body.breathing.mass > 0) return Tier::c;
+  if (body.breathing.mass > 0 || body.deformation.moves()) return Tier::c;
   Tier tier = Tier::a;
   for (const auto& contactor : body.contactors) tier = std::max(tier, tier_of<D>(contactor.form));
   return tier;

@@ -7,7 +7,7 @@
 
 namespace flyrock {
 
-/// The greatest tier of the contactors of a body; c for a pneumatic one.
+/// The greatest tier of the contactors of a body; c for a pneumatic or deformable one.
 template <int D>
 Tier tier_of(const Body<D>& body);
 

@@ -250,7 +250,7 @@ void add_fixtures(std::uint64_t trial, const World<D>& world, TrialRecords& out)
   for (const Body<D>& body : world.bodies) {
     if (body.kind == BodyKind::dynamic) continue;
     out.fixtures.push_back({trial, fixture_of(world, body)});
-    for (const SurfaceCorner& corner : surface_of(body.contactors))
+    for (const SurfaceCorner& corner : surface_of(body))
       out.fixture_shapes.push_back({trial, {body.group, corner}});
   }
 }
@@ -451,7 +451,7 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
       for (const Impact& impact : history.impacts) out.impacts.push_back({trial, index, impact});
     for (const TrajectoryPoint& point : history.trajectory) out.trajectories.push_back({trial, index, point});
     if (!history.trajectory.empty())
-      for (const SurfaceCorner& corner : surface_of(body.contactors))
+      for (const SurfaceCorner& corner : surface_of(body))
         out.shapes.push_back({trial, index, corner});
   }
   out.rocks.push_back(row);

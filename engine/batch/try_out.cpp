@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "batch/deformable_notes.h"
 #include "batch/free_rollers.h"
 #include "batch/hard_contacts.h"
 #include "batch/map_cells.h"
@@ -264,6 +265,15 @@ void find_tiers(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried
     if (tried.tiers.empty()) tried.tiers = tier_note(world);
 }
 
+/// Finds deformable bodies whose steps are longer than their waves.
+template <int D>
+void find_long_steps(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
+  for (const World<D>& world : trial.worlds) {
+    for (const LongStep& step : long_steps(scenario, world)) add(tried.warnings, step.path, step.why);
+    if (tried.deformable.empty()) tried.deformable = deformable_note(world);
+  }
+}
+
 /// Finds worlds in which so many bodies may meet that a trial may take long.
 template <int D>
 void find_pile_cost(const Scenario& scenario, const Trial<D>& trial, TriedOut& tried) {
@@ -344,6 +354,7 @@ void try_trials(const Scenario& scenario, TrialBuilder<D>& builder, const TryLim
       find_loose_drums(scenario, trial, tried);
       find_tiers(scenario, trial, tried);
       find_pile_cost(scenario, trial, tried);
+      find_long_steps(scenario, trial, tried);
       find_flat_faces(scenario, trial, tried);
       find_lost_places(scenario, trial, tried);
       if (number == 0) find_forest_faults(scenario, trial, tried);

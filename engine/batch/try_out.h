@@ -14,8 +14,9 @@ namespace flyrock {
 struct TriedOut {
   std::vector<ScenarioError> errors;  ///< bad input
   std::vector<ScenarioError> warnings;
-  std::string tiers;      ///< tier_note of the first trial that has one
-  std::string pile_cost;  ///< pile_cost_note of the first trial that has one
+  std::string tiers;       ///< tier_note of the first trial that has one
+  std::string pile_cost;   ///< pile_cost_note of the first trial that has one
+  std::string deformable;  ///< deformable_note of the first trial that has one
 };
 
 /// How much of a point is tried, counted and not timed: `check` and `run` on every machine ask the same.

@@ -73,6 +73,7 @@ int check_scenario(const std::string& path, const Overrides& overrides, bool str
   if (const std::string trees = assumed_trees(plan); !trees.empty()) fmt::print("{}\n", trees);
   if (!loaded->tiers.empty()) fmt::print("{}\n", loaded->tiers);
   if (!loaded->pile_cost.empty()) fmt::print("{}\n", loaded->pile_cost);
+  if (!loaded->deformable.empty()) fmt::print("{}\n", loaded->deformable);
   if (const std::string ground = surveyed_ground(plan); !ground.empty()) fmt::print("{}\n", ground);
   if (const Scenario& first = plan.points.front(); first.observed)
     fmt::print("observed: {}\n",

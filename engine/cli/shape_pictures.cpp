@@ -30,7 +30,7 @@ std::vector<PicturedRock> first_rocks(const Scenario& scenario, const std::strin
   std::vector<PicturedRock> rocks;
   const auto draw = [&](const Body<D>& body) {
     if (rocks.size() == most_rocks) return;
-    PicturedRock& picture = rocks.emplace_back(PicturedRock{body.group, surface_of(body.contactors)});
+    PicturedRock& picture = rocks.emplace_back(PicturedRock{body.group, surface_of(body)});
     for (SurfaceCorner& corner : picture.corners) corner.place = turned(body.attitude, corner.place);
   };
   for (std::size_t i = 0; i < scenario.bodies.size(); ++i)

@@ -24,6 +24,7 @@ BodyState state_of(const Body<D>& body, double time, const Vec<D>& x, const Vec<
   if (body.kind == BodyKind::dynamic)
     state.kinetic_energy =
         0.5 * (body.mass * v.squaredNorm() + twice_spin_energy(body, turned.attitude, turned.spin));
+  if (body.deforms()) state.kinetic_energy += body.deformation.vibration_energy();
   if (body.breathes()) state.kinetic_energy += body.breathing.kinetic_energy();
   return state;
 }

@@ -115,7 +115,7 @@ double JamWatch<D>::deepest_share() const {
   for (const auto& contact : world_.contacts()) {
     if (contact.law.condition == NormalCondition::penalty) continue;
     for (const int i : {contact.candidate, contact.antagonist})
-      if (is_reached(i) && !world_.bodies[i].breathes())
+      if (is_reached(i) && !changes_shape(world_.bodies[i]))
         deepest = std::max(deepest, -world_.gap_now(contact) / world_.bodies[i].size);
   }
   return deepest;

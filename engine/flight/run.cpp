@@ -43,7 +43,7 @@ class Runner {
       : world_(world),
         settings_(settings),
         histories_(histories),
-        faults_(world, settings.exact_flight),
+        faults_(world, settings.exact_flight && !world.deforms()),
         jam_(world),
         running_(world.bodies.size()) {
     for (std::size_t i = 0; i < running_.size(); ++i) running_[i] = world.bodies[i].kind == BodyKind::dynamic;
@@ -64,8 +64,8 @@ class Runner {
     energy_ = world_.total_energy();
     progress_.begin(world_);
     world_.choose_density();
-    bool in_contact = settings_.exact_flight && collide();
-    while (anybody() && world_.time < settings_.stop_time) {
+    bool in_contact = settings_.exact_flight && !world_.deforms() && collide();
+    while (anybody() && has_time()) {
       if (settings_.interrupted()) throw Interrupted();
       if (progress_.stands_still(world_)) {
         diverge(progress_.fault());
@@ -73,8 +73,10 @@ class Runner {
       }
       if (settings_.watch) report();
       const double before = world_.time;
-      const bool flies = settings_.exact_flight && !in_contact && !breathes_ && !world_.is_dense();
+      const bool flies =
+          settings_.exact_flight && !in_contact && !breathes_ && !world_.is_dense() && !world_.vibrates();
       in_contact = flies ? fly() : step();
+      if (!in_contact && world_.deforms()) world_.settle_deformations();
       release_held();
       apply_loads();
       look_for_jam();
@@ -152,6 +154,13 @@ class Runner {
     for (const Body<D>& body : world_.bodies)
       if (body.hold && !world_.settling) end = std::min(end, body.hold->until);
     return end - world_.time;
+  }
+
+  /// Steps of a deformable body have one length. The last one may end later than the run.
+  bool has_time() const {
+    constexpr double rounding = 1e-6;  // of a step
+    return settings_.stop_time - world_.time >
+           (world_.deforms() ? rounding * world_.settings().time_step : 0);
   }
 
   /// Bodies that are held no longer bring their energy with them, and are not at rest yet.
@@ -312,7 +321,7 @@ class Runner {
     world_.fly(dt);
     if (series_) series_->flew(flights_, start, dt);
     arrive(start, dt);
-    if (touch) return collide();
+    if (touch) return world_.deforms() || collide();
     world_.measure_penetration();
     return false;
   }
@@ -368,12 +377,13 @@ class Runner {
     for (const Body<D>& body : world_.bodies) starts_.push_back(moment_of(body));
     const double wanted = touches == Touches::all ? step_length() : blind_step();
     // The last step takes what rounding of the time would leave over. In so short a step, forces are noise.
-    const double h = time_left() < wanted * (1 + 1e-9) ? time_left() : wanted;
+    const bool is_last = time_left() < wanted * (1 + 1e-9);
+    const double h = world_.deforms() ? world_.settings().time_step : is_last ? time_left() : wanted;
     if (in_air_)
       for (Body<D>& body : world_.bodies)
         if (body.moves())
           body.push = body.load + mean_acceleration(body.air, body.v, steady_acceleration(body), h);
-    const bool cut = touches != Touches::none && settings_.exact_flight;
+    const bool cut = touches != Touches::none && settings_.exact_flight && !world_.deforms();
     const auto outcome = world_.step(h, cut, touches == Touches::of_new_pairs);
     if (series_) series_->stepped(outcome.duration);
     if (settings_.advanced && outcome.duration > 0) settings_.advanced(outcome.duration);

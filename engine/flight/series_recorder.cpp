@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "elastic/elastic_block.h"
+#include "elastic/stress_share.h"
 #include "flight/body_state.h"
 #include "world/manifold.h"
 
@@ -81,9 +83,28 @@ void SeriesRecorder<D>::put(int body, const BodyState& state, const Attitude<D>&
                           b.kind == BodyKind::dynamic ? -b.mass * world_.gravity().dot(place) : 0,
                           quaternion_of(attitude)});
   rows_.bodies.back().state.position.template head<D>() = place;
+  if (b.deforms()) return put_stress(b, state.time);
   if (!b.breathes()) return;
   rows_.bodies.back().potential_energy += potential_energy_of_shape(b);
   rows_.bodies.back().radius = b.breathing.now.radius;
+}
+
+/// Energy and stress of a deformable block.
+template <int D>
+void SeriesRecorder<D>::put_stress(const Body<D>& body, double time) {
+  const Deformation& own = body.deformation;
+  rows_.bodies.back().potential_energy += own.strain_energy();
+  const StressShare share = stress_share(own.block->model, own.u, own.strength);
+  rows_.stresses.push_back({.time = time,
+                            .body = rows_.bodies.back().body,
+                            .strain = own.strain_energy(),
+                            .vibration = own.vibration_energy(),
+                            .damped = own.damped,
+                            .touch = own.touch,
+                            .settled = own.settled,
+                            .tension_1pct = share.tension,
+                            .compression_1pct = share.compression,
+                            .above_strength = share.above_strength});
 }
 
 template <int D>

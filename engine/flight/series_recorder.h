@@ -38,6 +38,7 @@ class SeriesRecorder {
   bool wanted(int body) const { return body >= 0 && request_.wanted[body]; }
   void put_bodies();
   void put(int body, const BodyState& state, const Attitude<D>& attitude);
+  void put_stress(const Body<D>& body, double time);
   void put_contacts(double step);
   void put_solve(double step);
 

@@ -88,8 +88,8 @@ struct TreeRecord : OfRock {
   TreeHit hit;
 };
 
-/// A row of a trial: BlockRow, BlockRegionRow, BlockCorner, Fixture, FixtureCorner, SeriesBody, SeriesContact
-/// or SeriesSolve.
+/// A row of a trial: BlockRow, BlockRegionRow, BlockCorner, Fixture, FixtureCorner, SeriesBody, SeriesContact,
+/// SeriesSolve or SeriesStress.
 template <class Row>
 struct TrialRow {
   std::uint64_t trial = 0;
@@ -129,6 +129,7 @@ struct TrialRecords {
   std::vector<TrialRow<SeriesBody>> series_bodies;
   std::vector<TrialRow<SeriesContact>> series_contacts;
   std::vector<TrialRow<SeriesSolve>> series_solves;
+  std::vector<TrialRow<SeriesStress>> series_stress;
   TrialTotals totals;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a run records over time (`output.series`): bodies, contacts and solves, in SI units.
+// What a run records over time (`output.series`): bodies, contacts, solves and stresses, in SI units.
 
 #include <array>
 #include <limits>
@@ -46,10 +46,22 @@ struct SeriesSolve {
   double residual = 0;  ///< m/s
 };
 
+/// Energy and stress of a deformable block at the end of a step or of a flight (world/deformation.h,
+/// elastic/stress_share.h).
+struct SeriesStress {
+  double time = 0;
+  std::string body;
+  double strain = 0, vibration = 0;                                  ///< J
+  double damped = 0, touch = 0, settled = 0;                         ///< J, so far
+  double tension_1pct = 0, compression_1pct = 0;                     ///< Pa
+  double above_strength = std::numeric_limits<double>::quiet_NaN();  ///< share of the volume
+};
+
 struct Series {
   std::vector<SeriesBody> bodies;
   std::vector<SeriesContact> contacts;
   std::vector<SeriesSolve> solves;
+  std::vector<SeriesStress> stresses;
 };
 
 }  // namespace flyrock

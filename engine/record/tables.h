@@ -352,6 +352,22 @@ void visit_series_solves(Visit&& visit) {
   of_row(Column{.name = "residual_m_s", .unit = "m/s"}, &S::residual);
 }
 
+template <class Visit>
+void visit_series_stress(Visit&& visit) {
+  using S = SeriesStress;
+  const auto of_row = within(visit, &TrialRow<S>::row);
+  of_row(Column{.name = "time_s", .unit = "s"}, &S::time);
+  of_row(Column{.name = "body"}, &S::body);
+  of_row(Column{.name = "strain_J", .unit = "J"}, &S::strain);
+  of_row(Column{.name = "vibration_J", .unit = "J"}, &S::vibration);
+  of_row(Column{.name = "damped_J", .unit = "J"}, &S::damped);
+  of_row(Column{.name = "touch_J", .unit = "J"}, &S::touch);
+  of_row(Column{.name = "settled_J", .unit = "J"}, &S::settled);
+  of_row(Column{.name = "tension_1pct_Pa", .unit = "Pa"}, &S::tension_1pct);
+  of_row(Column{.name = "compression_1pct_Pa", .unit = "Pa"}, &S::compression_1pct);
+  of_row(Column{.name = "share_above_strength"}, &S::above_strength);
+}
+
 /// Columns of an Arrival.
 template <class Visit>
 void visit_arrival(Visit&& visit) {
@@ -429,6 +445,8 @@ void visit_tables(Records& records, See&& see) {
       [](auto&& visit) { visit_series_contacts(visit); });
   see(Table{"series_solves", Part::whole, trial}, records.series_solves,
       [](auto&& visit) { visit_series_solves(visit); });
+  see(Table{"series_stress", Part::whole, trial}, records.series_stress,
+      [](auto&& visit) { visit_series_stress(visit); });
 }
 
 /// For a walk over the tables alone.

@@ -400,7 +400,7 @@ std::vector<SectionSpec> make_sections() {
       {"blast.holes.columns", head_keys(hole_keys()), {}},
       {"blast.scatter", scatter_keys(), {}},
       {"blast.face",
-       {optional(file("mesh", "the face as triangles, an OBJ or STL file in metres")),
+       {optional(file("mesh", "the face as triangles, an OBJ, PLY or STL file in metres")),
         optional(file("points", "a table `x, y, z` of measured points of the face")),
         optional(file("profiles",
                       "a table `hole, depth, distance`: the horizontal distance from the axis of a "

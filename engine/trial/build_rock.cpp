@@ -44,7 +44,7 @@ double diameter_of(const std::vector<Contactor3>& contactors) {
 /// Scales a shape to a diameter. A mass that it gives itself would no longer be its own.
 template <int D>
 void scale_to(ShapeAnswer<D>& shape, double diameter) {
-  if (shape.own.given() || shape.pneumatic)
+  if (shape.own.given() || shape.pneumatic || shape.deformable)
     throw PluginError(
         "a shape with a mass, a centre or a pressure of its own cannot be scaled to the diameter "
         "that the population gives");
@@ -146,6 +146,8 @@ const MadeBody<D>& TrialBuilder<D>::made_body(const RockPlan<D>& plan, const Tri
     made.is_drawn = rng.drawn();
     made.is_kept = !made.is_drawn && is_native(*group.shape);
   }
+  if (shape.deformable)
+    throw ScenarioError(key_path(rock, "shape")(), "is deformable, expected in `bodies` only");
   if (made.diameter > 0) at_path(key_path(rock, "shape"), [&] { scale_to(shape, made.diameter); });
   made.has_own_mass = shape.own.mass.has_value();
   made.has_own_inertia = shape.own.inertia.has_value();

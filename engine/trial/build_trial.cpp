@@ -362,6 +362,41 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
     connect(trial, trial.worlds.front(), std::move(partners));
 }
 
+/// Makes a body of `bodies` a deformable block.
+template <int D>
+void TrialBuilder<D>::deform(const BodyPlan& plan, const std::string& path, const Deformable& shape,
+                             double density, World<D>& world, Body<D>& body) {
+  if constexpr (D == 2) {
+    if (scenario_.method != Method::nscd)
+      throw ScenarioError(path + "shape", "is deformable, expected with `method: nscd` only");
+    if (plan.fixed || plan.driven)
+      throw ScenarioError(path + (plan.fixed ? "fixed" : "driven"),
+                          "belongs to a deformable body, expected one that forces move");
+    if (!plan.density)
+      throw ScenarioError(path + "mass", "a deformable body needs its `density` in place of its mass");
+    if (!scenario_.solver.time_step)
+      throw ScenarioError(
+          "solver.time_step",
+          "is `auto`, and a deformable body takes steps of one length, expected a time: about "
+          "the size of a cell divided by the speed of sound");
+    if (scenario_.body_contacts && world.deforms())
+      throw ScenarioError(path + "shape",
+                          "two deformable bodies that may meet are not possible yet; `body_contacts: off` "
+                          "keeps them apart");
+    const ElasticMaterial material{.young = shape.young,
+                                   .poisson = shape.poisson,
+                                   .density = density,
+                                   .thickness = body.volume / (pi * body.radius * body.radius),
+                                   .alpha = shape.alpha,
+                                   .beta = shape.beta};
+    at_path(path + "shape", [&] {
+      make_deformable(body,
+                      elastic_.get(shape, material, *scenario_.solver.time_step, scenario_.solver.theta),
+                      shape.tensile_strength);
+    });
+  }
+}
+
 template <int D>
 void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_trial) {
   DrawKey of_trial;
@@ -386,6 +421,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
       body = make_body(std::move(shape.contactors), density, mass,
                        plan.thickness ? value(*plan.thickness) : 0, shape.own);
       if (shape.pneumatic) make_pneumatic(body, *shape.pneumatic);
+      if (shape.deformable) deform(plan, path, *shape.deformable, density, world, body);
       body.attitude = value(plan.orientation);
     } else {
       body = at_path(path + "shape",

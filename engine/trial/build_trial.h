@@ -9,6 +9,7 @@
 
 #include "plugin/models.h"
 #include "record/block_row.h"
+#include "trial/elastic_blocks.h"
 #include "trial/instances.h"
 #include "trial/outcomes.h"
 #include "trial/place_rock.h"
@@ -124,6 +125,8 @@ class TrialBuilder {
   bool starts_alike(const Trial<D>& trial) const;
   void begin_again(Trial<D>& trial, std::uint64_t number);
   void build_bodies(Trial<D>& trial, std::uint64_t number);
+  void deform(const BodyPlan& plan, const std::string& path, const Deformable& shape, double density,
+              World<D>& world, Body<D>& body);
   void build_alone(Trial<D>& trial, const RockPlan<D>& plan, Partner partner, TrialRock& rock,
                    RandomStream& where);
   void add_block(Trial<D>& trial, const RockPlan<D>& plan, const Partner& partner, TrialRock& rock,
@@ -165,6 +168,7 @@ class TrialBuilder {
 
   const Scenario& scenario_;
   Instances instances_;
+  ElasticBlocks elastic_;
   std::vector<GroupStreams> streams_;  ///< of Scenario::rocks
   /// Of Scenario::rocks, the last one: the next rock may be alike. Of a table one for each line.
   std::vector<std::vector<MadeBody<D>>> made_;

@@ -199,7 +199,8 @@ void World<D>::ask_law(Contact& contact, double h) {
     contact.law = laws->ask(state, impact, contact.history);
   }
   if (laws->mu) contact.law.mu_s = contact.law.mu_d = laws->mu->at(settling ? 0 : time + 0.5 * h).x();
-  if (settling) static_cast<Restitution&>(contact.law) = {};
+  // The waves of a deformable block are its restitution.
+  if (settling || deforms(contact)) static_cast<Restitution&>(contact.law) = {};
 }
 
 /// Impacts come first, because a resting contact uses the values that were drawn for the last impact of its

@@ -14,6 +14,7 @@
 #include "geometry/pneumatic.h"
 #include "world/air.h"
 #include "world/breathing.h"
+#include "world/deformation.h"
 
 namespace flyrock {
 
@@ -102,7 +103,8 @@ struct Body {
   Attitude<D> attitude;
   Spin w = Space<D>::no_spin();  ///< rad/s, world frame
 
-  Breathing breathing;  ///< of a pneumatic disk; of a rigid body mass 0
+  Breathing breathing;      ///< of a pneumatic disk; of a rigid body mass 0
+  Deformation deformation;  ///< of a deformable block; of a rigid body empty
 
   Air<D> air;  ///< the air around the body
   /// m/s2, acceleration by the air in the current flight or step, and by `load`; of a driven body the given
@@ -163,6 +165,10 @@ struct Body {
   /// Lets the radius of a pneumatic disk grow [m].
   void swell(double by) { set_shape({breathing.now.radius + by, breathing.now.rate}); }
   bool breathes() const { return breathing.moves() && moves(); }
+  bool deforms() const { return deformation.moves() && moves(); }
+  /// Moves the nodes of a deformable block: `place_nodes` puts its contactors where they are.
+  void deform(double dt);
+  void place_nodes();
   void move_to(const Vec<D>& position, const Attitude<D>& turned) { x = position, attitude = turned; }
   typename Geometry<D>::Pose pose() const { return {x, attitude.rotation}; }
   double spin_speed() const { return flyrock::spin_speed(w); }  ///< |w|, rad/s
@@ -171,7 +177,8 @@ struct Body {
   const Contactor& contactor_with(FeatureId feature) const {
     return contactors[is_outline() ? 0 : static_cast<std::size_t>(contactor_of(feature))];
   }
-  /// 1/2 (m v.v + w.I w + m_R R'^2) [J]; 0 for a body that is not dynamic.
+  /// 1/2 (m v.v + w.I w + m_R R'^2), of a deformable block with its vibration [J]; 0 for a body that is not
+  /// dynamic.
   double kinetic_energy() const;
   Vec<D> velocity_at(const Vec<D>& point) const {
     const Vec<D> lever = point - x;
@@ -218,6 +225,7 @@ template <int D>
 double Body<D>::kinetic_energy() const {
   if (kind != BodyKind::dynamic) return 0;
   const double rigid = 0.5 * (mass * v.squaredNorm() + twice_spin_energy(*this, attitude, w));
+  if (deformation.moves()) return rigid + deformation.vibration_energy();
   return breathing.moves() ? rigid + breathing.kinetic_energy() : rigid;
 }
 
@@ -226,6 +234,10 @@ void Body<2>::set_shape(const Breathing::State& state);
 /// In 3D all bodies are rigid.
 template <>
 inline void Body<3>::set_shape(const Breathing::State&) {}
+template <>
+void Body<2>::deform(double dt);
+template <>
+void Body<2>::place_nodes();
 
 /// Makes a dynamic body of contactors. Moves the contactors to the centre of mass and computes area, volume,
 /// mass and inertia exactly, as sums over the contactors: where two overlap, the overlap counts twice.
@@ -237,6 +249,12 @@ Body<2> make_body(std::vector<Contactor2> contactors, double density, double mas
 /// Gives a body of one disk or hollow disk a radius that moves (world/breathing.h). Its mass is in the ring:
 /// the moment of inertia is m R^2/2 of a disk and m R^2 of a hollow disk. Its thickness is that of make_body.
 void make_pneumatic(Body<2>& body, const Pneumatic& filling);
+
+/// Makes a body of one polygon a deformable block at rest: its contactors become the nodes of the surface of
+/// the mesh, points without radius. Mass, centre and inertia are those of the polygon, which are those of the
+/// mesh.
+void make_deformable(Body<2>& body, std::shared_ptr<const ElasticBlock> block,
+                     const std::optional<double>& strength);
 
 /// The same in 3D. The body's frame becomes the principal frame, and the attitude maps it to the frame in
 /// which the contactors were given.

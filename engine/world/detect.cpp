@@ -95,7 +95,7 @@ void World<D>::find_on_terrain(int body, double ahead) {
   const Body<D>& b = bodies[body];
   points_.clear();
   const double reach = reach_of_step(body, -1);
-  near_parts(work_, b.parts, b.pose(), *terrain_, reach, parts_);
+  near_parts(work_, b.parts, b.pose(), *terrain_, reach + slack(body), parts_);
   for (const int k : parts_)
     terrain_contacts<D>(work_, Placed<D>{b.contactors[k], b.pose(), k}, *terrain_, reach,
                         b.spin_speed() * ahead, points_);
@@ -108,7 +108,8 @@ void World<D>::find_between(int candidate, int antagonist, double ahead) {
   if (!a.present || !b.present || (!a.moves() && !b.moves())) return;
   points_.clear();
   const double reach = reach_of_step(candidate, antagonist);
-  near_parts(work_, a.parts, a.pose(), b.parts, b.pose(), reach, part_pairs_);
+  near_parts(work_, a.parts, a.pose(), b.parts, b.pose(), reach + slack(candidate) + slack(antagonist),
+             part_pairs_);
   for (const auto& [k, l] : part_pairs_)
     body_contacts(work_, Placed<D>{a.contactors[k], a.pose(), k}, Placed<D>{b.contactors[l], b.pose(), l},
                   reach, points_, (a.spin_speed() + b.spin_speed()) * ahead);
@@ -196,6 +197,13 @@ double World<D>::overlap_at_birth(const Contact& contact, std::span<const Contac
   return overlap > known ? overlap - known : 0;
 }
 
+/// How deep a node of a deformable block may have sunk before a step found it [m]: no touch cuts a step.
+template <int D>
+double World<D>::sunk_by_step(const Contact& contact) const {
+  const double travel = std::max(0.0, -relative_velocity(contact)[0]) * settings_.time_step;
+  return std::min(travel, std::max(0.0, -contact.at.gap));
+}
+
 template <int D>
 void World<D>::match_last() {
   const auto pair_of = [](const Contact& c) { return std::pair(c.candidate, c.antagonist); };
@@ -216,6 +224,7 @@ void World<D>::match_last() {
       const Contact* found = carried_on(contact, last, now);
       if (!found) {
         contact.born = overlap_at_birth(contact, last, now);
+        if (deforms(contact)) contact.sunk = sunk_by_step(contact);
         continue;
       }
       contact.born = std::min(found->born, std::max(0.0, -contact.at.gap));
@@ -225,6 +234,7 @@ void World<D>::match_last() {
       contact.c_t_before = found->law.c_t;
       contact.history = found->history;
       contact.stretch = found->stretch;
+      contact.sunk = std::min(found->sunk, std::max(0.0, -contact.at.gap));
       contact.age = found->age;
       contact.normal_force = found->normal_force;
       contact.slip_length = found->slip_length;
@@ -246,15 +256,19 @@ double World<D>::gap_of_solver(const Contact& contact) const {
 }
 
 /// Keeps the contacts that are closed now: those with a gap below touch plus a share of the size, and those
-/// carried over from the last step.
+/// carried over from the last step. A node of a deformable block touches when its gap is not
+/// positive, apart from rounding, and from what the solver leaves of the speed of one that is held.
 template <int D>
 void World<D>::keep_closed(double share_of_size) {
+  constexpr double rounding = 1e-14;  // m
   std::erase_if(contacts_, [&](const Contact& c) {
+    if (deforms(c)) return c.at.gap > (c.carried ? touch(c.candidate, c.antagonist) : rounding);
     const double size = contact_size(c.candidate, c.antagonist);
     const double closed = 1e-12 + std::max((1e-9 + share_of_size) * size, gap_of_solver(c));
     return c.at.gap > (c.carried ? carry_reach(c.candidate, c.antagonist) : closed);
   });
-  for (const Contact& c : contacts_) quality_.max_penetration = std::max(quality_.max_penetration, -c.at.gap);
+  for (const Contact& c : contacts_)
+    quality_.max_penetration = std::max(quality_.max_penetration, -c.at.gap - c.sunk);
 }
 
 /// The contactor of a body that has a feature, now or at the start of the step.

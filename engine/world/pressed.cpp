@@ -120,7 +120,7 @@ void World<D>::find_pressed() {
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (bodies[i].moves()) first[i] = rows, rows += dof;
   const auto is_rigid = [&](const Contact& c) {
-    const auto yields = [&](int i) { return i >= 0 && bodies[i].breathes(); };
+    const auto yields = [&](int i) { return i >= 0 && changes_shape(bodies[i]); };
     const bool holds = c.law.condition == NormalCondition::signorini ||
                        c.law.condition == NormalCondition::cohesive ||
                        (c.law.condition == NormalCondition::quasi_shock && c.at.gap <= 0);

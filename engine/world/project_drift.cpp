@@ -11,7 +11,7 @@ namespace flyrock {
 /// without impulse is only pushed out of penetration, never pulled closed. Where the gaps cannot all be
 /// closed, as of a sphere over several facets of a pit, the last passes only push, so that no contact is
 /// closed at the cost of another. The deep penetrations of fixed time steps (`exact` false) are kept, as in
-/// LMGC90.
+/// LMGC90; so are those of the nodes of deformable blocks.
 template <int D>
 void World<D>::project_drift(bool exact) {
   if (contacts_.empty()) return;
@@ -35,8 +35,8 @@ void World<D>::project_drift(bool exact) {
       sunk_ = std::max(sunk_, -gap);
       sunk_share_ = std::max(sunk_share_, -gap / size);
     }
-    gaps_.push_back(near && c.law.condition != NormalCondition::penalty ? std::optional(std::max(gap, -most))
-                                                                        : std::nullopt);
+    const bool yields = c.law.condition == NormalCondition::penalty || deforms(c);
+    gaps_.push_back(near && !yields ? std::optional(std::max(gap, -most)) : std::nullopt);
   }
   const auto gap_of = [&](std::size_t a) {
     const Contact& c = contacts_[a];

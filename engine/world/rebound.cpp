@@ -55,7 +55,7 @@ void World<D>::apply_spring(int a, double h) {
   set_spring<D>(spring, overlap, stretch, h, problem_, a, rebounds_[a]);
 }
 
-/// A dense problem of many contacts has few sweeps, unless what they leave would sink a body by a notable
+/// A dense problem has few sweeps, unless what they leave would sink a body by a notable
 /// share of its size within the step: then ten times as many.
 template <int D>
 SolveResult World<D>::solve() {
@@ -68,9 +68,7 @@ SolveResult World<D>::solve() {
   wanted.max_iterations = dense_ ? settings_.dense_iterations : settings_.max_iterations;
   wanted.solver = settings_.solver;
   if (!dense_) return solver_.solve(problem_, rebounds_, wanted, impulses_);
-  if (contacts_.size() <= most_of_newton)
-    wanted.max_iterations = settings_.max_iterations;
-  else if (wanted.solver == SolverKind::automatic)
+  if (contacts_.size() > most_of_newton && wanted.solver == SolverKind::automatic)
     wanted.solver = SolverKind::nlgs;
   free_of_contacts_.clear();
   for (const auto& contact : problem_.contacts) free_of_contacts_.push_back(contact.q);
@@ -159,7 +157,8 @@ void World<D>::find_shocks(double h) {
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     Contact& contact = contacts_[a];
     const Body<D>& body = bodies[rock_of(contact.candidate, contact.antagonist)];
-    if (island_collides_[islands_.of(a)] || contact.law.condition == NormalCondition::penalty) continue;
+    const bool yields = contact.law.condition == NormalCondition::penalty || deforms(contact);
+    if (island_collides_[islands_.of(a)] || yields) continue;
     const double forces = (g_ + body.push.norm()) * h;
     if ((after_[a] - contact.before).template head<D>().norm() <= settings_.rest_speed + usual * forces)
       continue;

@@ -1,40 +1,87 @@
 #include "world/shape_motion.h"
 
+#include "elastic/elastic_block.h"
+
 namespace flyrock {
 
+namespace {
+
+/// The node of a deformable block that touches.
+int node_at(const Body<2>& body, const ShapeTouch<2>& touch) {
+  return body.deformation.node_of(contactor_of(touch.feature));
+}
+
+}  // namespace
+
 template <int D>
-Vec<D> shape_velocity(const Body<D>& body, const ShapeTouch<D>&) {
+Vec<D> shape_velocity(const Body<D>& body, const ShapeTouch<D>& touch) {
+  if constexpr (D == 2)
+    if (body.deforms()) {
+      const Vec2 rate = body.deformation.rate.template segment<2>(2 * node_at(body, touch));
+      return touch.side * (touch.frame.transpose() * (body.attitude.rotation * rate));
+    }
   Vec<D> velocity = Vec<D>::Zero();
   velocity[0] = body.breathing.side * body.breathing.now.rate;
   return velocity;
 }
 
 template <int D>
-Eigen::Matrix<double, D, D> shape_mobility(const Body<D>& body, const ShapeTouch<D>&, const ShapeTouch<D>&,
-                                           double theta_h) {
+Eigen::Matrix<double, D, D> shape_mobility(const Body<D>& body, const ShapeTouch<D>& a,
+                                           const ShapeTouch<D>& b, double theta_h) {
   Eigen::Matrix<double, D, D> mobility = Eigen::Matrix<double, D, D>::Zero();
+  if constexpr (D == 2)
+    if (body.deforms()) {
+      const auto own = body.deformation.block->step.mobility(node_at(body, a), node_at(body, b));
+      const Rotation2& r = body.attitude.rotation;
+      for (int k = 0; k < 2; ++k)
+        mobility.col(k) =
+            a.side * b.side * (a.frame.transpose() * (r * Vec2(own * r.inverse(Vec2(b.frame.col(k))))));
+      return mobility;
+    }
   mobility(0, 0) = body.breathing.inverse_mass(theta_h);  // side^2 = 1
   return mobility;
 }
 
 template <int D>
-void push_shape(Body<D>& body, const ShapeTouch<D>&, const Vec<D>& impulse, double theta_h) {
+void push_shape(Body<D>& body, const ShapeTouch<D>& touch, const Vec<D>& impulse, double theta_h) {
+  if constexpr (D == 2)
+    if (body.deforms()) {
+      if (impulse.isZero(0)) return;
+      const Vec2 own = body.attitude.rotation.inverse(Vec2(touch.side * (touch.frame * impulse)));
+      const auto& column = body.deformation.block->step.column(node_at(body, touch));
+      body.deformation.rate += own.x() * column.col(0);
+      body.deformation.rate += own.y() * column.col(1);
+      return;
+    }
   body.breathing.now.rate += body.breathing.inverse_mass(theta_h) * body.breathing.side * impulse[0];
 }
 
+/// A deformable block stands at u + (1 - theta) h u' here, where contacts are detected.
 template <int D>
 void accelerate_shape(Body<D>& body, double h, double theta) {
+  if constexpr (D == 2)
+    if (body.deforms()) {
+      Deformation& own = body.deformation;
+      own.start = own.rate;
+      own.u -= (1 - theta) * h * own.rate;
+      own.block->step.free_change(own.u, own.rate, own.change);
+      own.u += (1 - theta) * h * own.rate;
+      own.rate += own.change;
+      return;
+    }
   body.breathing.now.rate = body.breathing.free_rate(body.spin_speed(), h, theta);
 }
 
 template <int D>
 void move_shape(Body<D>& body, double dt) {
+  if constexpr (D == 2)
+    if (body.deforms()) return body.deform(dt);
   body.swell(dt * body.breathing.now.rate);
 }
 
 template <int D>
 double potential_energy_of_shape(const Body<D>& body) {
-  return body.breathing.potential_energy();
+  return body.deforms() ? body.deformation.strain_energy() : body.breathing.potential_energy();
 }
 
 #define FLYROCK_INSTANTIATE(D)                                                              \

@@ -16,10 +16,12 @@ struct ShapeTouch {
 /// The shape of a body has a velocity of its own, which its contacts feel and change:
 ///   velocity of the contact = that of the rigid motions + sum over both bodies of shape_velocity
 ///   W_ab gains shape_mobility(a, b),  an impulse r of contact a gives push_shape(a, r)
-/// So far the radius of a pneumatic disk (world/breathing.h): along the normal, the same for all contacts.
+/// The radius of a pneumatic disk (world/breathing.h): along the normal, the same for all contacts. The nodes
+/// of a deformable block (world/deformation.h): those of the node that touches; its nodes couple all
+/// contacts.
 template <int D>
 bool changes_shape(const Body<D>& body) {
-  return body.breathes();
+  return body.breathes() || body.deforms();
 }
 
 /// What the motion of the shape adds to the velocity of a contact, in its frame [m/s].
@@ -44,7 +46,8 @@ void accelerate_shape(Body<D>& body, double h, double theta);
 template <int D>
 void move_shape(Body<D>& body, double dt);
 
-/// The energy that the shape holds at rest [J]: of gas and springs. The kinetic one is in that of the body.
+/// The energy that the shape holds at rest [J]: of gas, springs and strain. The kinetic one is in that of the
+/// body.
 template <int D>
 double potential_energy_of_shape(const Body<D>& body);
 

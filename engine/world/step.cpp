@@ -117,8 +117,9 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     pressed_.clear();
     if (!contacts_.empty()) solve_and_apply();
     for (int again = 0; again < most_pushes && pushed_otherwise(h); ++again) solve_with_found_pushes(h);
+    if (deforms_) measure_after(h);  // in the frame of the block in the middle of the step, which turns on
     drift(theta * h);
-    measure_after(h);
+    if (!deforms_) measure_after(h);
     if (chooses && refusals++ < most_refusals) {
       error = phases_so_far() * control_.error(bodies, starts_, doubt_of_friction(h), h);
       error = std::max({error, walked_ * walked_, sunk_rims()});
@@ -154,6 +155,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   find_shocks(h);
   record_impacts();
   audit_energy(h);
+  if (deforms_) account_deformations(h);
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (bodies[i].moves()) energy_given_ += bodies[i].mass * bodies[i].push.dot(bodies[i].x - starts_[i].x);
   for (std::size_t i = 0; i < bodies.size(); ++i)

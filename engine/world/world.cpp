@@ -21,6 +21,7 @@ World<D>::World(const Terrain& terrain, const Vec<D>& gravity, const WorldSettin
 template <int D>
 int World<D>::add(Body<D> body) {
   g_ = std::max(g_, (gravity_ + body.load).norm());
+  deforms_ = deforms_ || body.deformation.moves();
   bodies.push_back(std::move(body));
   terrain_laws_.emplace_back(parts_of(*terrain_).size(), nullptr);
   pair_laws_.emplace_back();

@@ -62,6 +62,7 @@ struct WorldContact {
   double c_t_before = 0;      ///< N, its tangential cohesion
   Vec<D> stretch = Vec<D>::Zero();  ///< m, of the tangential spring of `penalty` at the end of the last step
   double born = 0;                  ///< m, the overlap from which a spring counts (World::overlap_at_birth)
+  double sunk = 0;                  ///< m, how deep the step sank a node of a deformable block until it met
   double age = 0;                   ///< s since the contact closed
   double normal_force = ContactState::none;  ///< N, of the last accepted step
   double slip_length = 0;                    ///< m, slipped since it closed; kept only if a law reads it
@@ -140,6 +141,14 @@ class World {
     const int worst = last_solve_.worst_contact;
     return worst >= 0 && last_solve_.residual > tolerance() * problem_.contacts[worst].speed_scale;
   }
+  /// Whether a body is deformable. All steps then have the length time_step, no touch cuts them, and impacts
+  /// happen in them: impact() is not called.
+  bool deforms() const { return deforms_; }
+  /// Whether a deformable body vibrates or is strained: nothing flies exactly then.
+  bool vibrates() const;
+  /// Stops vibrations with less than 1e-9 of the kinetic energy that the body had when a contact last pushed
+  /// it. Called while no contact is closed.
+  void settle_deformations();
   /// Of the contact solver, in the steps that are made now.
   double tolerance() const { return dense_ ? settings_.dense_tolerance : settings_.tolerance; }
   /// Whether the next step is a dense one (dense_step.cpp); nothing flies then.
@@ -279,6 +288,7 @@ class World {
                             std::span<const Contact> now) const;
   double overlap_at_birth(const Contact& contact, std::span<const Contact> last,
                           std::span<const Contact> now) const;
+  double sunk_by_step(const Contact& contact) const;
   void keep_closed(double share_of_size);
   double reach_within(double h, int candidate, int antagonist) const;
   double reach_in_middle(int candidate, int antagonist) const;
@@ -382,6 +392,11 @@ class World {
   void doubt_springs(double h);
   void audit_impact();
 
+  // deforming.cpp: deformable blocks
+  bool deforms(const Contact& contact) const;
+  void account_deformations(double h);
+  double slack(int body) const { return deforms_ ? bodies[body].deformation.greatest : 0; }
+
   // choose_step.cpp: the length of a step by its error
   bool chooses_steps() const { return settings_.step_tolerance > 0; }
   double phases_so_far() const;
@@ -418,6 +433,7 @@ class World {
   std::vector<int> pressed_;
   StepControl<D> control_;
   bool dense_ = false;                   ///< the next step is a dense one
+  bool deforms_ = false;                 ///< a body is deformable
   bool has_springs_ = false;             ///< a contact yields (`penalty`): never dense
   std::vector<int> contacts_of_island_;  ///< [the body that names it]
   std::vector<int> partner_;             ///< [body], what alone pushes it in a dense step

@@ -132,6 +132,11 @@ const std::vector<Row> rows{
     {"hollow_disk", 2, {{"radius", 0.3}, {"outer", 0.5}}, pi * 0.16, pi*(0.0625 - 0.0081) / 2},
     {"pneumatic_disk", 2, {{"radius", 0.3}, {"pressure", 2e5}}, pi * 0.09, pi * 0.0081 / 2},
     {"pneumatic_hollow_disk", 2, {{"radius", 0.3}, {"pressure", 2e5}}, none, none},
+    {"deformable",
+     2,
+     {{"form", "rectangle"}, {"size", Numbers{2, 1}}, {"cells", 2.0}, {"young", 1e9}, {"poisson", 0.2}},
+     2,
+     2 * 5.0 / 12},
     // A rectangle, and two half-disks whose centroids lie 4 r / (3 pi) beyond its ends
     {"wall",
      2,

@@ -23,7 +23,8 @@ const std::map<std::string, std::set<std::string>>& may_see() {
     add("collision", {"plugin"});
     add("solver", {"plugin"});
     add("record", {"math"});
-    add("world", {"collision", "solver", "record"});
+    add("elastic", {"math"});
+    add("world", {"collision", "solver", "elastic", "record"});
     add("flight", {"world"});
     add("document", {"units"});
     add("scenario", {"plugin", "document", "record"});

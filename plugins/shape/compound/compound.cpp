@@ -90,6 +90,9 @@ class Compound : public ShapeModel {
         throw PluginError(
             fmt::format("plugin compound: parts.{} ({}) changes its radius, expected rigid parts", i,
                         part.shape.plugin->spec.name));
+      if (shape.deformable)
+        throw PluginError(fmt::format("plugin compound: parts.{} ({}) is deformable, expected rigid parts", i,
+                                      part.shape.plugin->spec.name));
       for (auto& contactor : shape.contactors) {
         if (is_hollow(contactor.form))
           throw PluginError(

@@ -7,7 +7,7 @@ return fr.plugin {
     .. "solid inside. One with a border becomes a plate, whose front it is. Rocks do not feel its flat joints. Its body is fixed, or "
     .. "driven without spin.",
   params = {
-    file = fr.file { doc = "an OBJ or STL file; corners counter-clockwise, seen from outside; the frame of the body" },
+    file = fr.file { doc = "an OBJ, PLY or STL file; corners counter-clockwise, seen from outside; the frame of the body" },
     up = fr.choice { choices = { "z", "y" }, default = "z", doc = "which axis of the file points up" },
     scale = fr.number { default = 1, above = 0, doc = "metres per unit of the file" },
     thickness = fr.number {

@@ -9,7 +9,7 @@ return fr.plugin {
     points = fr.points { optional = true, unit = "m", doc = "[[x, y, z], ...], in place of a file" },
     file = fr.file {
       optional = true,
-      doc = "an OBJ or STL file in metres, a closed convex surface with its faces outwards (an OBJ file without faces: the hull of "
+      doc = "an OBJ, PLY or STL file in metres, a closed convex surface with its faces outwards (an OBJ file without faces: the hull of "
         .. "its vertices); or a text file of three numbers in metres a line, apart by commas, blanks or semicolons, # begins a comment",
     },
   },

@@ -20,7 +20,7 @@ bool has_ending(const std::string& path, std::string_view ending) { return lower
 
 /// Whether a file is a surface; an OBJ file may list vertices only.
 bool has_faces(const std::string& path) {
-  if (has_ending(path, ".stl")) return true;
+  if (has_ending(path, ".stl") || has_ending(path, ".ply")) return true;
   if (!has_ending(path, ".obj")) return false;
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);)

@@ -8,6 +8,7 @@
 #include "plugin/surveyed_terrain.h"
 #include "plugins/factories.h"
 #include "plugins/terrain/mesh/mesh_file.h"
+#include "units/units.h"
 
 namespace flyrock::plugins {
 
@@ -45,6 +46,7 @@ class MeshTerrain : public SurveyedTerrain {
   explicit MeshTerrain(Params& params)
       : file_(params.text("file")), y_is_up_(params.text("up") == "y"), scale_(params.slot("scale")) {
     params.require_dimension(3);
+    if (params.given("surface")) surface_ = params.text("surface");
     if (params.slot("repair.weld") >= 0) repair_.weld = params.constant("repair.weld");
     if (params.slot("repair.fill_holes") >= 0)
       repair_.fill_holes = static_cast<int>(params.constant("repair.fill_holes"));
@@ -56,9 +58,19 @@ class MeshTerrain : public SurveyedTerrain {
   }
 
   TerrainShape3 build_3d(Values values, RandomStream&) const override {
-    MeshFile read = read_mesh("mesh", file_, parts_);
+    const bool is_landxml = lower(file_).ends_with(".xml");
+    if (!is_landxml && !surface_.empty())
+      throw PluginError(fmt::format("plugin mesh: {}: `surface` names one of LandXML (.xml)", file_));
+    MeshFile read = is_landxml ? read_landxml("mesh", file_, surface_) : read_mesh("mesh", file_, parts_);
+    if (is_landxml && y_is_up_)
+      throw PluginError(fmt::format("plugin mesh: {}: in LandXML z is the height, leave `up` out", file_));
+    if (read.unit > 0 && values[scale_] != 1)
+      throw PluginError(
+          fmt::format("plugin mesh: {}: says its unit, {:.10g} m, leave `scale` out", file_, read.unit));
     Mesh mesh = to_metres("mesh", std::move(read.mesh), values[scale_], y_is_up_);
     report_ = {};
+    report_.is_converted = read.unit > 0 && read.unit != 1;
+    if (!report_.is_converted) report_.crs = read.crs;
     report_.notes = std::move(read.notes);
     for (std::string& note : mend(mesh, read.lines, repair_)) report_.notes.push_back(std::move(note));
     for (std::string& note : report_.notes) note = fmt::format("{}: {}", file_, note);
@@ -110,7 +122,7 @@ class MeshTerrain : public SurveyedTerrain {
                     file_, first, count, lowest_ground, highest_ground));
   }
 
-  std::string file_;
+  std::string file_, surface_;
   bool y_is_up_;
   int scale_;
   PartsOf parts_ = PartsOf::either;

@@ -14,6 +14,9 @@ struct MeshFile {
   Mesh mesh;
   std::vector<int> lines;
   std::vector<std::string> notes = {};  ///< what may be wrong, a sentence each
+  double unit =
+      0;  ///< m, that the file says, in which the mesh no longer is: it is in m; 0: the file does not say
+  std::string crs = {};  ///< "EPSG:2056", of the coordinates of the file; empty: it does not say
 };
 
 /// What makes the parts of an OBJ file: its groups (`g`) and objects (`o`), or its materials (`usemtl`).
@@ -30,7 +33,27 @@ MeshFile read_obj(const std::string& plugin, const std::string& path, PartsOf pa
 /// the number of the triangle.
 MeshFile read_stl(const std::string& plugin, const std::string& path);
 
-/// Reads a file whose name ends in .obj or .stl.
+/// Reads a PLY file, text or binary in either order of bytes, of one part without a name: x, y, z of the
+/// element `vertex` and the list `vertex_indices` (or `vertex_index`) of the element `face`, which comes
+/// after it. All other properties and elements are passed over. A convex face of more than three corners
+/// becomes a fan of triangles. Throws PluginError with the line, or with the number of the vertex or face,
+/// also where the file has less or more than its head announces.
+MeshFile read_ply(const std::string& plugin, const std::string& path);
+
+/// Reads a triangulated surface (TIN) of a LandXML file, of one part without a name, with x east and y north.
+/// Its triangles look up. Hidden faces are left out. `surface`: its name; empty: the only one. Throws
+/// PluginError with the line.
+MeshFile read_landxml(const std::string& plugin, const std::string& path, const std::string& surface);
+
+/// Appends a convex face of three corners or more as a fan of triangles of the line `line` (0: the file has
+/// no lines). The parts of the triangles are left to the caller. Returns what is wrong with the face; empty:
+/// nothing.
+std::string add_fan(MeshFile& file, const std::vector<int>& face, int line);
+
+/// Adds a note where numbers of single precision are too coarse for the coordinates of a mesh.
+void note_single_precision(MeshFile& file);
+
+/// Reads a file whose name ends in .obj, .ply or .stl.
 MeshFile read_mesh(const std::string& plugin, const std::string& path, PartsOf parts = PartsOf::either);
 
 /// A mesh in metres with z up, of one in units of `scale` m whose y or z axis points up. Throws PluginError

@@ -175,33 +175,15 @@ struct Reading {
   }
 
   void add_face(const tinyobj::index_t* corners, int count) {
-    Mesh& mesh = file.mesh;
-    const int vertices = static_cast<int>(mesh.vertices.size());
+    const int vertices = static_cast<int>(file.mesh.vertices.size());
     std::vector<int> face;
     for (int i = 0; i < count; ++i) {
       const int index = corners[i].vertex_index;  // from 1; negative: from the last
       face.push_back(index > 0 ? index - 1 : vertices + index);
     }
-    if (count > 3) require_convex(face);
+    if (const std::string wrong = add_fan(file, face, text.line()); !wrong.empty()) text.fail(wrong);
     groups.add_triangles(count - 2);
     materials.add_triangles(count - 2);
-    for (int i = 1; i + 1 < count; ++i) {
-      mesh.triangles.push_back({face[0], face[i], face[i + 1]});
-      file.lines.push_back(text.line());
-    }
-  }
-
-  /// All triangles of the fan of a convex face look to the same side.
-  void require_convex(const std::vector<int>& face) const {
-    const auto& vertices = file.mesh.vertices;
-    const int count = static_cast<int>(face.size());
-    const auto corner = [&](int i) -> const Vec3& { return vertices[face[i % count]]; };
-    Vec3 mean = Vec3::Zero();
-    for (int i = 1; i + 1 < count; ++i) mean += (corner(i) - corner(0)).cross(corner(i + 1) - corner(0));
-    const double least = -1e-9 * mean.squaredNorm();  // corners on one line are fine, with their rounding
-    for (int i = 0; i < count; ++i)
-      if ((corner(i + 1) - corner(i)).cross(corner(i + 2) - corner(i + 1)).dot(mean) < least)
-        text.fail(fmt::format("the face of {} corners is not convex, expected triangles", count));
   }
 };
 

@@ -82,6 +82,7 @@ void read_binary(const std::string& plugin, const std::string& path, std::int64_
     }
     add_triangle(mesh, corners);
   }
+  note_single_precision(mesh);
 }
 
 void expect(Words& words, std::string_view expected) {
@@ -146,28 +147,6 @@ MeshFile read_stl(const std::string& plugin, const std::string& path) {
     throw PluginError(fmt::format("plugin {}: {}: has no triangles", plugin, path));
   file.mesh = welded(std::move(file.mesh));
   return file;
-}
-
-namespace {
-
-/// What to do with a file of another format.
-std::string way_to_obj(const std::string& ending) {
-  if (ending == ".ply") return "is PLY: export it as OBJ, with three decimals or more";
-  if (ending == ".dxf" || ending == ".dwg")
-    return "is a drawing of CAD: export its triangulation (3D faces) as OBJ, with three decimals or more";
-  if (ending == ".las" || ending == ".laz" || ending == ".xyz" || ending == ".e57" || ending == ".pts")
-    return "is a cloud of points: make a grid (GeoTIFF, .asc) for the terrain `raster` of it, or triangles "
-           "(OBJ)";
-  return "expected a file whose name ends in .obj or .stl";
-}
-
-}  // namespace
-
-MeshFile read_mesh(const std::string& plugin, const std::string& path, PartsOf parts) {
-  const std::string ending = lower(path.substr(std::min(path.rfind('.'), path.size())));
-  if (ending == ".obj") return read_obj(plugin, path, parts);
-  if (ending == ".stl") return read_stl(plugin, path);
-  throw PluginError(fmt::format("plugin {}: {}: {}", plugin, path, way_to_obj(ending)));
 }
 
 }  // namespace flyrock::plugins

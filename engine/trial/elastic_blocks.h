@@ -1,0 +1,27 @@
+#pragma once
+// The factorised blocks of a scenario: those of the same values share one.
+
+#include <deque>
+#include <memory>
+
+#include "elastic/elastic_block.h"
+#include "geometry/deformable.h"
+
+namespace flyrock {
+
+/// The blocks that were asked for last. Of one thread (ElasticBlock).
+class ElasticBlocks {
+ public:
+  /// Throws PluginError if the block cannot be factorised.
+  std::shared_ptr<const ElasticBlock> get(const Deformable& shape, const ElasticMaterial& material, double h,
+                                          double theta);
+
+ private:
+  struct Kept {
+    std::array<double, 14> values;
+    std::shared_ptr<const ElasticBlock> block;
+  };
+  std::deque<Kept> kept_;
+};
+
+}  // namespace flyrock

@@ -1,0 +1,27 @@
+local fr = require "flyrock"
+
+return fr.plugin {
+  kind = "shape",
+  name = "deformable",
+  doc = "An elastic block (2D, plane strain), of `bodies` only: finite elements in the frame of the body, which turns freely; strains stay "
+    .. "small. Its surface nodes touch, its edges do not. A contact has no restitution of its own: the block rebounds by its "
+    .. "waves, with steps of `time_step` of about the size of a cell divided by sqrt(young/density).",
+  params = {
+    form = fr.choice { choices = { "rectangle", "disk" }, doc = "what it is before it is deformed" },
+    size = fr.vector { optional = true, above = 0, unit = "m", doc = "width and height of a rectangle" },
+    cells = fr.integer { optional = true, min = 1, doc = "squares of its mesh along the shorter side, each of four triangles" },
+    radius = fr.number { optional = true, above = 0, unit = "m", usual = { 0.001, 20 }, doc = "of a disk" },
+    rings = fr.integer { optional = true, min = 1, doc = "rings of triangles of its mesh" },
+    young = fr.number { above = 0, unit = "Pa", usual = { 1e8, 1.5e11 }, doc = "Young's modulus" },
+    poisson = fr.number { min = 0, max = 0.45, usual = { 0, 0.4 }, doc = "Poisson's ratio; near 0.5 triangles lock" },
+    damping = fr.group {
+      doc = "of the vibrations",
+      params = {
+        alpha = fr.number { default = 0, min = 0, unit = "Hz", doc = "in proportion to the mass" },
+        beta = fr.number { default = 0, min = 0, unit = "s", doc = "in proportion to the stiffness" },
+      },
+    },
+    tensile_strength = fr.number { optional = true, above = 0, unit = "Pa", doc = "with which the stress is compared; nothing breaks" },
+  },
+  native = "deformable",
+}
