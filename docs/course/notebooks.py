@@ -93,6 +93,12 @@ solves.plot("time_s", "sweeps", style="o-", legend=False, xlabel="time in s", yl
         "The forces at the foot of the thick arch: half the weight and the thrust.",
         """foot = table("SELECT time_s, sum(rn_N) AS weight, sum(abs(rt_N)) AS thrust FROM series_contacts WHERE a = 'thick_1' AND b = 'terrain' AND step_s > 0 GROUP BY time_s")
 foot.plot("time_s", ["weight", "thrust"], xlabel="time in s", ylabel="force in N");"""),
+    "drum": (
+        "The slope over time: it rises with the drum, and avalanches take it down.",
+        """path = table("SELECT time_s, avg(x_m) AS x, avg(y_m) AS y FROM series_bodies WHERE body != 'drum' GROUP BY time_s")
+import numpy
+path["slope"] = numpy.degrees(numpy.arctan2(path.x, -path.y))
+path.plot("time_s", "slope", legend=False, xlabel="time in s", ylabel="slope in degrees");"""),
     "penalty_or_signorini": (
         "The heights of both balls.",
         """path = table('SELECT "group", trajectories.time_s, y_m FROM trajectories JOIN rocks USING (point, trial, rock) ORDER BY trajectories.time_s')
@@ -225,7 +231,7 @@ def main():
         return check(options.check)
     options.folder.mkdir(parents=True, exist_ok=True)
     for lab in options.labs or labs():
-        ending = "lua" if lab in ("arch", "own_law", "waves") else "yaml"
+        ending = "lua" if lab in ("arch", "drum", "own_law", "waves") else "yaml"
         file = options.folder / f"{lab}.ipynb"
         file.write_text(json.dumps(notebook(lab, ending), indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
         print(file)

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "results/measures.h"
 #include "scenario/measure.h"
 
 namespace assembly_test {
@@ -40,6 +41,21 @@ TEST_CASE("an assembly has the extent, the mean and the rest of the bodies that 
       "from y = 0.5 to 2 m.");
   assembly.at_rest = 0;
   CHECK(assembly_text(assembly, 2, 2).starts_with("2 of 2 bodies moved; none is at rest. "));
+}
+
+TEST_CASE("measures of an assembly are numbers of the last states") {
+  Scenario scenario;
+  scenario.bodies.resize(3);
+  scenario.bodies[2].fixed = true;
+  PointResult result;
+  result.totals.bodies = {ended_at(1, 2, StopReason::stopped, 4), ended_at(3, 0.5, StopReason::timed_out, 0),
+                          ended_at(9, 9, StopReason::timed_out, 0)};
+  const auto value = [&](const char* name) { return Measure(name, scenario).value(result).value; };
+  CHECK(value("assembly.x.mean") == 2);
+  CHECK(value("assembly.y.min") == 0.5);
+  CHECK(value("assembly.kinetic_energy.max") == 9);
+  CHECK(value("assembly.at_rest") == 1);
+  CHECK_FALSE(Measure("assembly.x.mean", scenario).of_rocks());
 }
 
 TEST_CASE("measures of an assembly need bodies, a component and a statistic") {
