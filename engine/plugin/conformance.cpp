@@ -125,6 +125,29 @@ void add(Numbers& answer, const Eigen::Matrix3d& inertia) {
   answer.insert(answer.end(), inertia.reshaped().begin(), inertia.reshaped().end());
 }
 
+void add(Numbers& answer, const Pneumatic& ring) {
+  for (const double number : {ring.pressure, ring.outside, ring.gamma, ring.stiffness, ring.damping}) {
+    if (!(std::isfinite(number) && number >= 0))
+      fail("a parameter of a pneumatic ring is negative or not finite");
+    answer.push_back(number);
+  }
+  if (ring.radial_mass && !(*ring.radial_mass > 0))
+    fail("the radial mass of a pneumatic ring is not positive");
+  if (ring.radial_mass) answer.push_back(*ring.radial_mass);
+}
+
+void add(Numbers& answer, const Deformable& block) {
+  if (!(block.young > 0)) fail("the Young's modulus of a deformable block is not positive");
+  for (const double number :
+       {static_cast<double>(block.form), block.size.x(), block.size.y(), static_cast<double>(block.cells[0]),
+        static_cast<double>(block.cells[1]), block.radius, static_cast<double>(block.rings), block.young,
+        block.poisson, block.alpha, block.beta, block.tensile_strength.value_or(0)}) {
+    if (!(std::isfinite(number) && number >= 0))
+      fail("a parameter of a deformable block is negative or not finite");
+    answer.push_back(number);
+  }
+}
+
 template <int D>
 void add(Numbers& answer, const ShapeAnswer<D>& shape) {
   check_contactors(shape.contactors);
@@ -134,16 +157,8 @@ void add(Numbers& answer, const ShapeAnswer<D>& shape) {
   if (own.mass) answer.push_back(*own.mass);
   if (own.centre) answer.insert(answer.end(), own.centre->begin(), own.centre->end());
   if (own.inertia) add(answer, *own.inertia);
-  if (!shape.pneumatic) return;
-  const Pneumatic& ring = *shape.pneumatic;
-  for (const double number : {ring.pressure, ring.outside, ring.gamma, ring.stiffness, ring.damping}) {
-    if (!(std::isfinite(number) && number >= 0))
-      fail("a parameter of a pneumatic ring is negative or not finite");
-    answer.push_back(number);
-  }
-  if (ring.radial_mass && !(*ring.radial_mass > 0))
-    fail("the radial mass of a pneumatic ring is not positive");
-  if (ring.radial_mass) answer.push_back(*ring.radial_mass);
+  if (shape.pneumatic) add(answer, *shape.pneumatic);
+  if (shape.deformable) add(answer, *shape.deformable);
 }
 
 /// Calls the plugin, and adds the inputs of the call to the message of an error.
@@ -427,6 +442,7 @@ void try_sample(const Plugin& plugin, int dimension, const std::vector<ParamValu
     if (!can_sample(params[i]) || calls.felt[i] || is_given(given, i)) continue;
     auto changed = values;
     changed[i] = sample_param(plugin.spec, i, values, dimension, rng);
+    if (params[i].type == ParamType::choice && changed[i].text == values[i].text) continue;
     if (!keeps_bounds(plugin.spec, changed)) continue;
     const auto other = Trial<Interface>(plugin, dimension, changed, patience).ask(refusal);
     if (!other) continue;
