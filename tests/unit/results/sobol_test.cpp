@@ -223,7 +223,8 @@ TEST_CASE("the parts of a curve have intervals of their percentiles, where the t
       x.push_back(uniform_at(seed, 1, {.trial = t}));
       f.push_back(uniform_at(seed, 2, {.trial = t}));
     }
-    for (const ResponseBin& bin : response_of(x, f)->curve) {
+    const auto response = response_of(x, f);
+    for (const ResponseBin& bin : response->curve) {
       ++parts;
       held += holds(bin.p95_interval, 0.95);
       CHECK(holds(bin.p50_interval, bin.p50));
