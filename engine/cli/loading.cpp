@@ -17,10 +17,11 @@ namespace {
 
 /// The file of a given name, or that of the shipped scenario with the name.
 std::string scenario_file(const std::string& name) {
-  if (fs::path(name).is_absolute() || fs::exists(name)) return name;
+  std::error_code fault;  // of a name that no file can have
+  if (fs::path(name).is_absolute() || fs::exists(name, fault) || fault) return name;
   for (const char* ending : {"", ".yaml", ".lua"})
     if (const fs::path shipped = fs::path(share_folder()) / "scenarios" / (name + ending);
-        fs::is_regular_file(shipped))
+        fs::is_regular_file(shipped, fault))
       return shipped.string();
   return name;
 }
