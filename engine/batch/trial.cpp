@@ -451,8 +451,7 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
       for (const Impact& impact : history.impacts) out.impacts.push_back({trial, index, impact});
     for (const TrajectoryPoint& point : history.trajectory) out.trajectories.push_back({trial, index, point});
     if (!history.trajectory.empty())
-      for (const SurfaceCorner& corner : surface_of(body))
-        out.shapes.push_back({trial, index, corner});
+      for (const SurfaceCorner& corner : surface_of(body)) out.shapes.push_back({trial, index, corner});
   }
   out.rocks.push_back(row);
 }

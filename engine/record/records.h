@@ -88,8 +88,8 @@ struct TreeRecord : OfRock {
   TreeHit hit;
 };
 
-/// A row of a trial: BlockRow, BlockRegionRow, BlockCorner, Fixture, FixtureCorner, SeriesBody, SeriesContact,
-/// SeriesSolve or SeriesStress.
+/// A row of a trial: BlockRow, BlockRegionRow, BlockCorner, Fixture, FixtureCorner, SeriesBody,
+/// SeriesContact, SeriesSolve or SeriesStress.
 template <class Row>
 struct TrialRow {
   std::uint64_t trial = 0;

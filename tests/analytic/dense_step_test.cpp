@@ -180,7 +180,7 @@ TEST_CASE("features that have slid off each other are not deep, nor pushed apart
     bench.run(1.5);
     const SolverQuality& quality = bench.world.quality();
     CHECK(quality.dense_steps > 0);
-    CHECK(deepest(bench.world.bodies) < 1e-4 * size);  // what a solve may leave
+    CHECK(deepest(bench.world.bodies) < 1e-4 * size);     // what a solve may leave
     CHECK(quality.max_penetration < 1.05 * 5e-4 * size);  // deeper steps are halved
   }
 }

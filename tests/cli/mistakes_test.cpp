@@ -42,7 +42,8 @@ constexpr Mistake mistakes[] = {
     {"moreau", R"(--set materials.floor.restitution.en=0.52)"},
     {"moreau", R"(--set solver.theta=1)"},
     {"newton_poisson_energy", R"(--set materials.newton.friction.mu=0.2)"},
-    {"newton_poisson_energy", R"(--set materials.poisson.restitution.form=energy --set materials.energy.restitution.form=poisson)"},
+    {"newton_poisson_energy",
+     R"(--set materials.poisson.restitution.form=energy --set materials.energy.restitution.form=poisson)"},
     {"newton_poisson_energy", R"(--set 'bodies.0.orientation=45 deg')"},
     {"newton_poisson_energy", R"(--set 'bodies.2.velocity=[0.6,-1]')"},
     {"own_law", R"(--set 'materials.floor.restitution={type: softening, power: 0.3}')"},
@@ -71,16 +72,20 @@ constexpr Mistake mistakes[] = {
     {"dzhanibekov", R"(--set 'bodies.0.spin=[6.283185307179586,0.07,0]')"},
     {"dzhanibekov", R"(--set bodies.0.mass=10)"},
     {"clearance", R"(--set 'rocks.0.launch.speed=30 km/h')"},
-    {"clearance", R"(--set 'rocks.0.launch.elevation={normal: {mean: 45 deg, sd: 26 deg}, min: 0 deg, max: 90 deg}')"},
-    {"routh", R"(--set materials.poisson.friction.mu=0.29 --set materials.newton.friction.mu=0.29 --set materials.energy.friction.mu=0.29)"},
+    {"clearance",
+     R"(--set 'rocks.0.launch.elevation={normal: {mean: 45 deg, sd: 26 deg}, min: 0 deg, max: 90 deg}')"},
+    {"routh",
+     R"(--set materials.poisson.friction.mu=0.29 --set materials.newton.friction.mu=0.29 --set materials.energy.friction.mu=0.29)"},
     {"routh", R"(--set 'bodies.1.orientation=30 deg')"},
 };
 
 /// Changes that are no mistakes, because the results are equal:
-///  - One contact without friction: Newton's U+ = -e U- is one equation for r, r = -(1 + e) U-/W. Poisson's compression
+///  - One contact without friction: Newton's U+ = -e U- is one equation for r, r = -(1 + e) U-/W. Poisson's
+///  compression
 ///    ends at W r_c = -U-, and r = r_c + e r_c is the same.
 ///  - The order of the values of a sweep: the points are the same, and expectations name them by value.
-///  - Equal balls in a row: in Newton's problem all contacts close, because U+ = -e U- holds with r = -(1 + e) W^-1 U- >= 0.
+///  - Equal balls in a row: in Newton's problem all contacts close, because U+ = -e U- holds with r = -(1 +
+///  e) W^-1 U- >= 0.
 ///    In Poisson's compression W r_c = -U-, with r_c = -W^-1 U- >= 0, and (1 + e) r_c is the same r.
 constexpr Mistake equal[] = {
     {"bouncing_ball", "--set materials.floor.restitution.form=poisson"},

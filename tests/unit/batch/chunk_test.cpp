@@ -59,7 +59,8 @@ TrialRecords some_records() {
   contact.state = SeriesState::sliding;
   records.series_contacts = {{7, contact}, {7, contact}};
   records.series_solves = {{7, {.time = 0.25, .step = 0.01, .contacts = 2, .sweeps = 5, .residual = 1e-9}}};
-  records.series_stress = {{7, {.time = 0.25, .body = "block", .strain = 3, .touch = 0.5, .tension_1pct = 2e6}}};
+  records.series_stress = {
+      {7, {.time = 0.25, .body = "block", .strain = 3, .touch = 0.5, .tension_1pct = 2e6}}};
   records.totals.materials = {{1, 2, 3, 4, 5}};
   PathBins path(2, -10, 10);
   path.visit(-3, 1, 0, 4, [](PathBin& bin, double, double t) { bin = {t, 10 * t, 1e6}; });
