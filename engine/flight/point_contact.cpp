@@ -61,12 +61,7 @@ ContactState PointContact<D>::state_of(const Face<D>& face, const PairLaws& laws
 template <int D>
 void PointContact<D>::set_read_fields(ContactState& state, const ContactReads& reads) const {
   state.slip_length = slipped_.length;
-  if (!reads.shape) return;
-  const Proportions proportions = proportions_of(body_);
-  state.shape_type = body_.shape_type;
-  state.shape_elongation = proportions.elongation;
-  state.shape_flatness = proportions.flatness;
-  state.shape_corners = proportions.corners;
+  if (reads.shape) put_shape(body_, proportions_of(body_), state);
 }
 
 /// The normal of the face, tilted by the roughness of its material: the tilt is added to the dip along the

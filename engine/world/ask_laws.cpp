@@ -134,10 +134,7 @@ template <int D>
 void World<D>::set_shape(ContactState& state, int rock) {
   Body<D>& body = bodies[rock];
   if (!body.proportions) body.proportions = proportions_of(body);
-  state.shape_type = body.shape_type;
-  state.shape_elongation = body.proportions->elongation;
-  state.shape_flatness = body.proportions->flatness;
-  state.shape_corners = body.proportions->corners;
+  put_shape(body, *body.proportions, state);
 }
 
 template <int D>

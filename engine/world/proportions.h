@@ -1,6 +1,7 @@
 #pragma once
 // How long, flat and angular a body is.
 
+#include "plugin/contact_law.h"
 #include "world/body.h"
 
 namespace flyrock {
@@ -11,5 +12,14 @@ namespace flyrock {
 /// `corners`: those of the contactors, rounded ones too; 0 of a disk, a sphere, a pill or a body with rims.
 template <int D>
 Proportions proportions_of(const Body<D>& body);
+
+/// Writes the shape of a body with these proportions into the state that a law reads.
+template <int D>
+void put_shape(const Body<D>& body, const Proportions& proportions, ContactState& state) {
+  state.shape_type = body.shape_type;
+  state.shape_elongation = proportions.elongation;
+  state.shape_flatness = proportions.flatness;
+  state.shape_corners = proportions.corners;
+}
 
 }  // namespace flyrock

@@ -58,14 +58,14 @@ const distances_beside = (point) => point.clearance.flatMap((c) => [
   ...(c.customary ? [{ distance: c.customary, text: `legal or customary distance: ${show(c.customary)} m` }] : []),
   ...(c.known_throw ? [{ distance: c.beyond_known_throw, text: `1.5 times the farthest known throw: ${show(c.beyond_known_throw)} m` }] : [])])
   .filter((one, i, all) => all.findIndex((other) => other.text === one.text) === i);
-const clearance_words = (c) => `clearance ${c.name}: ${c.bound ? "≥ " : ""}${show(Number(c.distance.toPrecision(3)))} m${c.factor ? `, with the factor ${show(c.factor)}` : ""}`;
+const clearance_words = (c) => `clearance ${c.name}: ${c.bound ? "≥ " : ""}${show_short(c.distance)} m${c.factor ? `, with the factor ${show(c.factor)}` : ""}`;
 
 /** The section of a run in 2D: the ground, what stands on it as high as it is, and distances from the mean release. */
 function draw_cover_section(page, point) {
-  const x_of = page.terrain.x.map((v) => v / 1000), y_of = page.terrain.y.map((v) => v / 1000), tracks = shown_tracks();
-  const starts = tracks.map((track) => points_of(track)[0].x), release = page.release_x?.[shown.group] ?? (starts.length === 0 ? 0 : starts.reduce((a, b) => a + b, 0) / starts.length);
+  const x_of = page.terrain.x.map((v) => v / 1000), y_of = page.terrain.y.map((v) => v / 1000), tracks = shown_tracks().map(points_of);
+  const starts = tracks.map((points) => points[0].x), release = page.release_x?.[shown.group] ?? (starts.length === 0 ? 0 : starts.reduce((a, b) => a + b, 0) / starts.length);
   const p95 = shown_group().runout.p95;
-  const from_release = (x) => show(Number(Math.abs(x - release).toPrecision(3)));
+  const from_release = (x) => show_short(Math.abs(x - release));
   const rows = [
     ...point.barriers.map((b) => ({ x: b.x, far: from_release(b.x), text: `barrier ${b.barrier}: x = ${show(b.x)} m, ${show(b.height_m)} m high` })),
     ...point.gates.map((g) => ({ x: g.x, far: from_release(g.x), text: `gate ${g.gate}: x = ${show(g.x)} m` })),
@@ -74,13 +74,13 @@ function draw_cover_section(page, point) {
     ...drawn_clearances(point).map((c) => ({ x: release + c.distance, text: clearance_words(c) })),
     ...distances_beside(point).map((c) => ({ x: release + c.distance, text: c.text })),
   ];
-  const low_x = least([release, ...starts]), ends = tracks.map((track) => points_of(track).at(-1).x), high_x = most([release, ...ends, ...rows.map((r) => r.x)]), margin = 0.06 * Math.max(high_x - low_x, 1);
+  const low_x = least([release, ...starts]), ends = tracks.map((points) => points.at(-1).x), high_x = most([release, ...ends, ...rows.map((r) => r.x)]), margin = 0.06 * Math.max(high_x - low_x, 1);
   const window = [Math.max(low_x - margin, x_of[0]), Math.min(high_x + margin, x_of.at(-1))];
   if (!(window[1] > window[0])) return null;
   const inside = x_of.map((v, i) => [v, y_of[i]]).filter(([v]) => v > window[0] && v < window[1]);
   const ground = [[window[0], ground_at(page.terrain, window[0])], ...inside, [window[1], ground_at(page.terrain, window[1])]];
   const fences = point.barriers.map((b) => { const foot = ground_at(page.terrain, b.x), lean = (b.inclination_deg * Math.PI) / 180; return [[b.x, foot], [b.x - b.height_m * Math.sin(lean), foot + b.height_m * Math.cos(lean)]]; });
-  const paths = tracks.map((track) => points_of(track).filter((p) => p.x >= window[0] && p.x <= window[1]).map((p) => [p.x, p.height])).filter((path) => path.length > 1);
+  const paths = tracks.map((points) => points.filter((p) => p.x >= window[0] && p.x <= window[1]).map((p) => [p.x, p.height])).filter((path) => path.length > 1);
   const heights = [...ground, ...fences.flat(), ...paths.flat()].map(([, y]) => y), to = sheet_scale(window, [least(heights), most(heights) + 0.02 * (window[1] - window[0])]);
   const foot_y = to.bottom + 30, parts = [];
   parts.push(svg_element("polygon", { points: [...ground.map(([x, y]) => to.at(x, y)), [to.right, to.bottom + 8], [to.left, to.bottom + 8]].map((p) => p.map((v) => v.toFixed(1)).join(",")).join(" "), fill: "#ece6da" }));

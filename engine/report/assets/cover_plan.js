@@ -86,8 +86,8 @@ function drawn_areas(point) {
   return point.clearance.flatMap((c) => {
     const sectors = c.area?.beyond != null && c.area.sectors.length > 0 ? outline(c.area, (s) => s.distance) : null;
     return [
-      ...(sectors ? [{ rings: [sectors.x.map((x, i) => [x, sectors.y[i]])], colour: colour.brick, text: `area of ${c.clearance}: ${outside(c)}, reaches ${three(c.distance)} m` }] : []),
-      ...(c.area_least?.hectares != null ? [{ rings: c.area_least.polygons, colour: colour.blue, text: `least area of ${c.clearance}: ${outside(c)}, ${three(c.area_least.hectares)} ha` }] : [])];
+      ...(sectors ? [{ rings: [sectors.x.map((x, i) => [x, sectors.y[i]])], colour: colour.brick, text: `area of ${c.clearance}: ${outside(c)}, reaches ${show_short(c.distance)} m` }] : []),
+      ...(c.area_least?.hectares != null ? [{ rings: c.area_least.polygons, colour: colour.blue, text: `least area of ${c.clearance}: ${outside(c)}, ${show_short(c.area_least.hectares)} ha` }] : [])];
   });
 }
 
@@ -112,7 +112,7 @@ function site_places(page, things) {
 
 function draw_site(page, things) {
   const to = plan_scale(plan_sheet.site, !has_pattern(things), window_around(site_places(page, things), 0.03)), parts = plan_frame(to), rows = [], taken = [], { centre } = things, [cx, cy] = to.at(centre);
-  const where_text = ([x, y]) => `${three(Math.hypot(x - centre[0], y - centre[1]))} m from the mean release, ${bearing_text(x - centre[0], y - centre[1])}`;
+  const where_text = ([x, y]) => `${show_short(Math.hypot(x - centre[0], y - centre[1]))} m from the mean release, ${bearing_text(x - centre[0], y - centre[1])}`;
   /** A number at the first of some places of the sheet that covers no other one; its text stands in the list. */
   const number = (places, text) => {
     const inside = places.filter(([x, y]) => x > to.left + 7 && x < to.right - 7 && y > to.top + 7 && y < to.bottom - 7);
@@ -145,7 +145,7 @@ function draw_site(page, things) {
   for (const c of things.circles) { circle(c.distance); number(on_circle(c.distance, Math.PI / 4), clearance_words(c)); }
   for (const c of things.beside) { circle(c.distance, "8 3"); number(on_circle(c.distance, (5 * Math.PI) / 4), c.text); }
   for (const area of things.areas) number(area.rings.reduce((a, b) => (b.length > a.length ? b : a)).map(to.at), area.text);
-  if (things.p99 !== null) { circle(things.p99, "2 3"); number(on_circle(things.p99, (3 * Math.PI) / 4), `99 % of ${group_name(shown_group())} ${ends_at_landing ? "first land" : "stop"} within ${three(things.p99)} m`); }
+  if (things.p99 !== null) { circle(things.p99, "2 3"); number(on_circle(things.p99, (3 * Math.PI) / 4), `99 % of ${group_name(shown_group())} ${ends_at_landing ? "first land" : "stop"} within ${show_short(things.p99)} m`); }
   for (const hole of things.holes) parts.push(svg_element("circle", { cx: to.at([hole.x, hole.y])[0], cy: to.at([hole.x, hole.y])[1], r: 0.8, fill: colour.brick }));
   parts.push(svg_element("circle", { cx, cy, r: 2.5, fill: colour.brick }));
   return { to, parts: [...parts, ...labels], rows };
@@ -169,7 +169,6 @@ function draw_pattern(things) {
 }
 
 const to_decimetre = (v) => String(Number(v.toFixed(1)) + 0);
-const three = (v) => show(Number(v.toPrecision(3)));
 
 /** The plan of a point: its drawings, and its words as a list. */
 function cover_plan(page, point) {
@@ -182,5 +181,5 @@ function cover_plan(page, point) {
   return [
     element("div", { class: has_pattern(things) ? "plans" : "plans alone" }, picture(site, "site"), has_pattern(things) ? picture(draw_pattern(things), "pattern") : ""),
     element("ol", { class: "key" }, ...site.rows.map((row) => element("li", {}, row))),
-    caption(`${told.join("; ")}. The frame holds every ${ends_at_landing ? "landing" : "end"}${max === null ? "" : `; the farthest rock of ${group_name(shown_group())} went ${three(max)} m`}.`)];
+    caption(`${told.join("; ")}. The frame holds every ${ends_at_landing ? "landing" : "end"}${max === null ? "" : `; the farthest rock of ${group_name(shown_group())} went ${show_short(max)} m`}.`)];
 }

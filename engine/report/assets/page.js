@@ -54,6 +54,8 @@ function show(value) {
   if (size >= 1e9 || size < 1e-3) return value.toExponential(3);
   return String(size >= 1e4 ? Math.round(value) : Number(value.toPrecision(4)));
 }
+/** Three significant digits, as the answer has them. */
+const show_short = (value) => show(Number(value.toPrecision(3)));
 /** A share in percent: three digits, and near 100 as many as tell it from 100. */
 function in_percent(share) {
   const rest = 100 * (1 - share);

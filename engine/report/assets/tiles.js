@@ -9,8 +9,6 @@ function tile(name, words) {
   const bound = runout.lower_bounds.includes(name) ? "≥ " : "";
   return element("div", { class: "tile", role: "listitem" }, element("p", { class: "what" }, words), element("p", { class: "value" }, `${bound}${show_short(runout[name])} m`), element("p", { class: "ends" }, ends));
 }
-/** Three significant digits, as the answer has them. */
-const show_short = (value) => show(Number(value.toPrecision(3)));
 
 /** Of the rocks that are shown. A permit has its table, bodies have no common distance. */
 function tiles_part() {
