@@ -55,8 +55,17 @@ void World<D>::apply_spring(int a, double h) {
   set_spring<D>(spring, overlap, stretch, h, problem_, a, rebounds_[a]);
 }
 
-/// A dense problem has few sweeps, unless what they leave would sink a body by a notable
-/// share of its size within the step: then ten times as many.
+/// The sweeps that a dense problem has: few of a pile of hundreds, whose contacts change in every step, and
+/// more of a stack or a slope of tens of blocks, which would move where it can stand.
+template <int D>
+int World<D>::dense_sweeps() const {
+  constexpr int least = 100, most = 1000, contact_solves = 20'000;
+  const int contacts = std::max(1, static_cast<int>(contacts_.size()));
+  return settings_.dense_iterations.value_or(std::clamp(contact_solves / contacts, least, most));
+}
+
+/// A dense problem whose solution would sink a body by a notable share of its size within the step has ten
+/// times the sweeps.
 template <int D>
 SolveResult World<D>::solve() {
   constexpr std::size_t most_of_newton = 100;  // contacts of a dense step, for which its factorisations pay
@@ -65,7 +74,7 @@ SolveResult World<D>::solve() {
   SolveSettings wanted;
   wanted.tolerance = tolerance();
   wanted.to_rounding = !dense_;
-  wanted.max_iterations = dense_ ? settings_.dense_iterations : settings_.max_iterations;
+  wanted.max_iterations = dense_ ? dense_sweeps() : settings_.max_iterations;
   wanted.solver = settings_.solver;
   if (!dense_) return solver_.solve(problem_, rebounds_, wanted, impulses_);
   if (contacts_.size() > most_of_newton && wanted.solver == SolverKind::automatic)

@@ -38,7 +38,7 @@ struct WorldSettings {
   ManyBodies many = ManyBodies::exact;
   double dense_step = 4e-3;       ///< s
   double dense_tolerance = 1e-4;  ///< of the contact solver in dense steps
-  int dense_iterations = 100;
+  std::optional<int> dense_iterations;  ///< absent: World::dense_sweeps
 };
 
 /// A contact of the world, with its law, its impulse and its memory.
@@ -150,6 +150,7 @@ class World {
   /// it. Called while no contact is closed.
   void settle_deformations();
   /// Of the contact solver, in the steps that are made now.
+  int dense_sweeps() const;
   double tolerance() const { return dense_ ? settings_.dense_tolerance : settings_.tolerance; }
   /// Whether the next step is a dense one (dense_step.cpp); nothing flies then.
   bool is_dense() const { return dense_; }

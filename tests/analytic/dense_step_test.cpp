@@ -241,3 +241,29 @@ TEST_CASE("a wall of forty contacts is dense, and a few bodies are exact, spring
     CHECK(bench.world.is_dense() == (rows == 12));
   }
 }
+
+TEST_CASE(
+    "a slope of blocks that lean on each other stands above the limit of its equilibrium in dense steps") {
+  // Goodman and Bray 1976: columns 10 m wide on steps of 1 m, on a base that falls by 30 deg, here turned to
+  // the level. They topple below 38.15 deg of friction.
+  constexpr int blocks = 16, crest = 10;
+  constexpr double width = 10, base = 30 * pi / 180, friction = 40 * pi / 180;
+  Profile steps;
+  steps.points = {{-200, 0}};
+  for (int n = 1; n <= blocks; ++n) {
+    steps.points.push_back({width * n, n - 1});
+    steps.points.push_back({width * n, n});
+  }
+  steps.points.push_back({width * blocks + 100, blocks});
+  steps.part.assign(steps.points.size() - 1, 0);
+  steps.parts = {""};
+  Material rock(0, std::tan(friction));
+  Bench bench(steps, rock, dense(), 9.81 * Vec2(-std::sin(base), -std::cos(base)));
+  for (int n = 1; n <= blocks; ++n) {
+    const double height = n <= crest ? 4 * n : 4 * crest - 6 * (n - crest);
+    bench.add(box(width, height, 2500 * width * height, {width * (n - 0.5), n - 1 + height / 2}));
+  }
+  const std::vector<Body<2>> start = bench.world.bodies;
+  bench.run(2);
+  for (int n = 0; n < blocks; ++n) CHECK((bench.world.bodies[n].x - start[n].x).norm() < 5e-3);
+}

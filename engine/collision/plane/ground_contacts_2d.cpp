@@ -7,23 +7,38 @@ namespace flyrock {
 
 namespace {
 
+constexpr double region_slack = 1e-9;  // of the length of a segment: its strip ends that far beyond it
+
 bool in_cone(const Ground2& ground, int corner, const Vec2& direction, double slack) {
   return direction.dot(ground.tangent(corner - 1)) >= -slack &&
          direction.dot(ground.tangent(corner)) <= slack;
 }
 
+/// Whether vertex k of a hull is its lowest along a direction, in the frame of the hull, up to `reach` [m]
+/// and while the hull turns by `turn` [rad]. Only then a segment with this normal can hold it: a vertex on a
+/// convex corner is within reach of both segments there, also of the one that cannot.
+bool can_be_lowest(const Contactor2& shape, int k, const Vec2& up, double reach, double turn) {
+  const int n = static_cast<int>(shape.points.size());
+  const auto rises_to = [&](int other) {
+    const Vec2 along = shape.points[other] - shape.points[k];
+    return up.dot(along) >= -reach - turn * along.norm();
+  };
+  return n == 1 || (rises_to((k + 1) % n) && rises_to((k + n - 1) % n));
+}
+
 /// Whether the strip of the segment contains p. At a flat or convex corner only the right segment owns the
-/// point. At a concave corner both segments own it, and the strip is longer by `shallow`, because the point
-/// may have sunk into the other segment.
-bool owns(const Ground2& ground, int segment, const Vec2& p, double shallow) {
-  const double length = ground.length(segment), slack = 1e-9 * length;
+/// point, if it can hold it. At a concave corner both segments own it, and the strip is longer by `shallow`,
+/// because the point may have sunk into the other segment.
+template <class CanHold>
+bool owns(const Ground2& ground, int segment, const Vec2& p, double shallow, const CanHold& can_hold) {
+  const double length = ground.length(segment), slack = region_slack * length;
   const double s = (p - ground.start(segment)).dot(ground.tangent(segment));
   const int next = segment + 1;
   const bool concave_start = ground.corner(segment) == Corner::concave,
              concave_end = ground.corner(next) == Corner::concave;
   if (s < -(concave_start ? shallow : slack) || s > length + (concave_end ? shallow : slack)) return false;
   if (s <= length - slack || next >= ground.segments() || concave_end) return true;
-  return (p - ground.start(next)).dot(ground.tangent(next)) < -slack;
+  return (p - ground.start(next)).dot(ground.tangent(next)) < -slack || !can_hold(next);
 }
 
 /// The point of the polyline that is nearest to a point in the ground.
@@ -45,12 +60,13 @@ ContactPoint<2> nearest_place(const Ground2& ground, const Vec2& p) {
 
 /// The contact of a vertex, grown by a radius, with segment i. A vertex below the line of a segment is either
 /// in the ground, or above another part of the polyline and free. Returns whether it is so deep in the ground
-/// that the nearest place is its contact instead.
+/// that the nearest place is its contact instead. can_hold(j): whether segment j can hold the vertex.
+template <class CanHold>
 bool point_contact(const Vec2& p, double radius, FeatureId feature, const Ground2& ground, int i,
-                   double reach, double shallow, Contacts<2>& out) {
+                   double reach, double shallow, const CanHold& can_hold, Contacts<2>& out) {
   const double height = (p - ground.start(i)).dot(ground.normal(i));
   const double gap = height - radius;
-  if (gap > reach || !owns(ground, i, p, shallow)) return false;
+  if (gap > reach || !owns(ground, i, p, shallow, can_hold)) return false;
   if (height < -reach && !ground.is_inside(p)) return false;
   if (height < -shallow) return true;
   out.push_back({p - (radius + 0.5 * gap) * ground.normal(i), ground.normal(i), gap, feature, segment_id(i)});
@@ -68,15 +84,16 @@ void deep_contact(const Vec2& p, double radius, FeatureId feature, const Ground2
 
 void point_contacts(const Vec2& p, double radius, FeatureId feature, const Ground2& ground,
                     const Ground2::Run& run, double reach, double shallow, Contacts<2>& out) {
+  const auto holds = [](int) { return true; };
   bool deep = false;
   for (int i = run.first; i <= run.last; ++i)
-    if (point_contact(p, radius, feature, ground, i, reach, shallow, out)) deep = true;
+    if (point_contact(p, radius, feature, ground, i, reach, shallow, holds, out)) deep = true;
   if (deep) deep_contact(p, radius, feature, ground, out);
 }
 
 /// Contact points of the vertices with segments, ordered by vertex and segment.
 void vertex_contacts(const Placed2& placed, const Ground2& ground, const Ground2::Run& run, double reach,
-                     Contacts<2>& out) {
+                     double turn, Contacts<2>& out) {
   constexpr double rounding = 1e-9;
   const double radius = placed.shape.radius, bound = placed.shape.bound;
   const double shallow = shallow_share * (bound > 0 ? bound : 1e-3);  // of a point 1 um
@@ -90,9 +107,14 @@ void vertex_contacts(const Placed2& placed, const Ground2& ground, const Ground2
     if (highest < lowest_vertex) continue;
     // In the frame of the contactor, a vertex that is too high costs one product.
     const Vec2 rise = placed.pose.r.inverse(ground.normal(i));
-    for (int k = 0; k < count; ++k)
-      if (rise.dot(points[k]) <= highest)
-        deep |= point_contact(placed.point(k), radius, placed.vertex(k), ground, i, reach, shallow, out);
+    for (int k = 0; k < count; ++k) {
+      if (rise.dot(points[k]) > highest || !can_be_lowest(placed.shape, k, rise, reach, turn)) continue;
+      const auto can_hold = [&](int j) {
+        return can_be_lowest(placed.shape, k, placed.pose.r.inverse(ground.normal(j)), reach, turn);
+      };
+      deep |=
+          point_contact(placed.point(k), radius, placed.vertex(k), ground, i, reach, shallow, can_hold, out);
+    }
   }
   if (deep) {
     out.resize(static_cast<std::size_t>(first));
@@ -127,11 +149,27 @@ void round_contact(const Vec2& centre, double radius, FeatureId feature, const G
   const Vec2 away = centre - ground.point(corner);
   const double distance = away.norm(), gap = distance - radius;
   // Only strictly inside the cone, because on its sides the segments give the contact.
-  if (gap > reach || away.dot(ground.tangent(corner - 1)) <= 1e-9 * ground.length(corner - 1) ||
-      away.dot(ground.tangent(corner)) >= -1e-9 * ground.length(corner))
+  if (gap > reach || away.dot(ground.tangent(corner - 1)) <= region_slack * ground.length(corner - 1) ||
+      away.dot(ground.tangent(corner)) >= -region_slack * ground.length(corner))
     return;
   const Vec2 normal = away / distance;
   out.push_back({ground.point(corner) + 0.5 * gap * normal, normal, gap, feature, corner_id(corner)});
+}
+
+/// The edge of a hull that faces a convex corner at a place in its frame. Of a corner in the hull, less deep
+/// than `shallow`, it is an edge whose normal lies in the cone of the corner: beside the end of an edge, the
+/// corner is nearer to the other edge of the vertex there, along which nothing can push it out.
+NearEdge facing_edge(const Placed2& placed, const Ground2& ground, int corner, const Vec2& local,
+                     double farthest, double shallow, double cone_slack) {
+  const NearEdge near = near_edge(placed.shape, local, farthest);
+  const auto faces = [&](int edge) { return in_cone(ground, corner, -placed.normal(edge), cone_slack); };
+  if (near.distance > 0 || near.distance < -shallow || faces(near.edge)) return near;
+  NearEdge best{near.edge, -shallow};
+  for (int e = 0; e < placed.count(); ++e) {
+    const double outside = placed.shape.normals[e].dot(local - placed.shape.points[e]);
+    if (outside > best.distance && faces(e)) best = {e, outside};
+  }
+  return best;
 }
 
 /// Contact points with convex corners: of the edge of the hull that a corner faces, or of the rounded vertex
@@ -139,6 +177,7 @@ void round_contact(const Vec2& centre, double radius, FeatureId feature, const G
 void corner_contacts(const Placed2& placed, const Ground2& ground, const Ground2::Run& run, double reach,
                      double cone_slack, Contacts<2>& out) {
   const int n = placed.count();
+  const double shallow = shallow_share * placed.shape.bound;
   const double radius = placed.shape.radius, around = placed.shape.bound + reach;
   if (n == 1 && radius == 0) return;
   for (int i = std::max(run.first, 1); i <= std::min(run.last + 1, ground.segments() - 1); ++i) {
@@ -153,7 +192,7 @@ void corner_contacts(const Placed2& placed, const Ground2& ground, const Ground2
     const Vec2& corner = ground.point(i);
     const Vec2 local = placed.pose.r.inverse(corner - placed.pose.x);
     if (local.squaredNorm() > around * around) continue;
-    const NearEdge near = near_edge(placed.shape, local, reach + radius);
+    const NearEdge near = facing_edge(placed, ground, i, local, reach + radius, shallow, cone_slack);
     const double gap = near.distance - radius;
     if (gap > reach) continue;
     const int next = (near.edge + 1) % n;
@@ -167,8 +206,9 @@ void corner_contacts(const Placed2& placed, const Ground2& ground, const Ground2
     }
     const Vec2 normal = -placed.normal(near.edge);
     if (!in_cone(ground, i, normal, cone_slack)) continue;
-    // If a vertex stands on the corner, this gives the contact.
-    if (std::min((a - corner).norm(), (b - corner).norm()) <= 1e-7 * (b - a).norm()) continue;
+    // If a vertex stands on the corner, the segments give the contact.
+    const double on_segments = region_slack * std::min(ground.length(i - 1), ground.length(i));
+    if (std::min((a - corner).norm(), (b - corner).norm()) <= on_segments) continue;
     out.push_back({corner + 0.5 * gap * normal, normal, gap, placed.edge(near.edge), corner_id(i)});
   }
 }
@@ -196,7 +236,7 @@ Ground2::Run segments_near(const Placed2& contactor, const Ground2& ground, doub
 void hull_on_ground(Workspace&, const Placed2& contactor, const Ground2& ground, double reach, double turn,
                     Contacts<2>& out) {
   const auto run = segments_near(contactor, ground, reach);
-  vertex_contacts(contactor, ground, run, reach, out);
+  vertex_contacts(contactor, ground, run, reach, flush_angle + turn, out);
   // The corner at the end of a segment holds an edge that lies flush on it.
   corner_contacts(contactor, ground, run, reach, flush_angle + turn, out);
 }
