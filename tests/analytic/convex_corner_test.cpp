@@ -65,11 +65,14 @@ TEST_CASE("a block whose corner is flush with a convex corner of the ground slid
   CHECK(bench.world.bodies[0].x.y() == Approx(height + 0.5).margin(1e-7));
 }
 
-TEST_CASE("a box whose edge is flush with a convex edge of the ground slides away from it") {
+TEST_CASE("a box or cylinder whose edge is flush with a convex edge of the ground slides away from it") {
   const double side = GENERATE(1, -1), speed = GENERATE(0, 1);
+  const bool is_round = GENERATE(false, true);
   Material smooth(0.5, 0);
   Bench3 bench(step_in_3d(side), smooth, settings_of(ManyBodies::exact));
-  Body<3> block = box(Vec3(2, 1, 1), 1000, {side, 0, height + 0.5});
+  Body<3> block =
+      is_round ? make_body({Contactor3::cylinder(1, 1)}, 0, 1000) : box(Vec3(2, 1, 1), 1000, Vec3::Zero());
+  block.x = {side, 0, height + 0.5};
   block.v = {side * speed, 0, 0};
   bench.add(block);
   const BodyHistory& history = bench.run(1);

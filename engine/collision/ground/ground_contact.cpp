@@ -80,6 +80,16 @@ void point_contacts(const Vec3& p, double radius, FeatureId feature, const Groun
   out.push_back({p - (radius + 0.5 * gap) * f.normal, f.normal, gap, feature, f.face_feature()});
 }
 
+void drop_unsupported(const Placed3& contactor, double reach, double turn, double shallow, std::size_t begin,
+                      Contacts<3>& contacts) {
+  const double lower = reach + turn * 2 * contactor.shape.bound;
+  const auto is_above_others = [&](const ContactPoint<3>& c) {
+    const double height = c.normal.dot(c.point) + contactor.shape.radius + 0.5 * c.gap;
+    return c.gap >= -shallow && height - c.normal.dot(contactor.support(-c.normal)) > lower;
+  };
+  contacts.erase(std::remove_if(contacts.begin() + begin, contacts.end(), is_above_others), contacts.end());
+}
+
 void reduce_contacts(Workspace& work, Contacts<3>& contacts, std::size_t begin, double size, bool has_rims) {
   if (has_rims) drop_repeated(contacts, begin, size);
   keep_four_of_each_plane(work, contacts, begin, size);

@@ -30,6 +30,13 @@ struct GroundNearby {
 void point_contacts(const Vec3& p, double radius, FeatureId feature, const Ground3& ground,
                     std::span<const Facet> facets, double reach, double shallow, Contacts<3>& out);
 
+/// Drops the contacts from `begin` on of places with facets along whose normal the convex contactor comes
+/// lower by more than `reach` [m], also when it has turned by `turn` [rad]. A facet cannot hold such a place:
+/// it is on a convex edge, within reach of both facets there. One that has sunk deeper than `shallow` [m] has
+/// the contact of the nearest facet.
+void drop_unsupported(const Placed3& contactor, double reach, double turn, double shallow, std::size_t begin,
+                      Contacts<3>& contacts);
+
 /// Drops what is there twice, if edges and peaks were met, and keeps four contacts of each plane.
 void reduce_contacts(Workspace& work, Contacts<3>& contacts, std::size_t begin, double size, bool has_rims);
 

@@ -115,24 +115,6 @@ class RimContacts {
   std::vector<double>& rise_;  ///< of each face along the rim
 };
 
-/// Drops the contacts of vertices with facets along whose normal other vertices lie lower by more than
-/// `reach` [m], also when the polyhedron has turned by `turn` [rad]. A facet cannot hold such a vertex: it
-/// stands on a convex edge, within reach of both facets there. One that has sunk deeper than `shallow` [m]
-/// has the contact of the nearest place.
-void drop_unsupported(const Placed3& polyhedron, double reach, double turn, double shallow, std::size_t begin,
-                      Contacts<3>& contacts) {
-  const auto& points = polyhedron.shape.points;
-  const double lower = reach + turn * 2 * polyhedron.shape.bound;
-  const auto is_above_others = [&](const ContactPoint<3>& contact) {
-    if (kind_of(contact.feature) != FeatureKind::vertex || contact.gap < -shallow) return false;
-    const Vec3 up = polyhedron.pose.r.inverse(contact.normal);
-    const Vec3& vertex = points[index_of(contact.feature)];
-    const double level = up.dot(vertex) - lower;
-    return std::any_of(points.begin(), points.end(), [&](const Vec3& p) { return up.dot(p) < level; });
-  };
-  contacts.erase(std::remove_if(contacts.begin() + begin, contacts.end(), is_above_others), contacts.end());
-}
-
 }  // namespace
 
 void hull_on_ground(Workspace& work, const Placed3& polyhedron, const Ground3& ground, double reach,

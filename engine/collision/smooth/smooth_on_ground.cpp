@@ -71,9 +71,11 @@ void rim_places_on_facets(const Placed3& shape, const GroundNearby& nearby, doub
 
 void smooth_on_ground(Workspace& work, const Placed3& shape, const Ground3& ground, double reach, double turn,
                       Contacts<3>& out) {
+  const std::size_t begin = out.size();
   contacts_on_ground(
       work, shape, ground, reach, out,
       [&](const GroundNearby& nearby) {
+        drop_unsupported(shape, reach, flush_angle + turn, nearby.shallow, begin, out);
         at_rims_and_peaks(work, nearby, CircleRimContacts(work, shape, reach, turn, out));
       },
       [&](const GroundNearby& nearby) { rim_places_on_facets(shape, nearby, reach, out); });
