@@ -231,7 +231,7 @@ void find_overlapping_parts(const Scenario& scenario, const Trial<D>& trial, Tri
 
 /// Finds gates and barriers in 3D that no rock can pass. In 2D the scenario refuses them earlier.
 void find_lost_places(const Scenario& scenario, const Trial<3>& trial, TriedOut& tried) {
-  const TerrainView terrain = view_of(*trial.terrain, scenario.terrain.origin);
+  const TerrainView terrain = view_of(*trial.terrain, scenario.terrain);
   const Vec2 low = terrain.low().head<2>(), high = terrain.high().head<2>();
   const auto find_lines = [&](const char* section, const auto& places) {
     for (std::size_t i = 0; i < places.size(); ++i)

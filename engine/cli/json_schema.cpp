@@ -123,7 +123,7 @@ std::string DocumentSchema::section_name(const std::string& name) const {
 void DocumentSchema::put(Keys& keys, const ParamSpec& spec, bool varies) {
   ValuePlace here = place(varies);
   if (spec.name == "name") here.may_sweep = false;  // names identify rows of results
-  keys.add(spec.name, values_.parameter(spec, here), spec.required());
+  keys.add(spec.name, values_.parameter(spec, here), spec.required_in(dimension_));
 }
 
 /// The value of a key may be a table over time. Gravity is a vector there, too.

@@ -227,9 +227,10 @@ Json SchemaValues::records(const ParamSpec& spec, const ValuePlace& place) {
   Json fields = Json::object(), required = Json::array();
   for (const ParamSpec& field : spec.fields) {
     fields[field.name] = parameter(field, place);
-    if (field.required()) required.push_back(field.name);
+    if (field.required_in(place.dimension)) required.push_back(field.name);
   }
-  const Json record = define(spec.name + " record", object(std::move(fields), std::move(required)));
+  const Json record = define(fmt::format("{} record {}D", spec.name, place.dimension),
+                             object(std::move(fields), std::move(required)));
   Json forms = Json::array({some(record)});
   if (spec.single) forms.push_back(record);
   if (!spec.choices.empty()) forms.push_back({{"enum", spec.choices}});

@@ -24,10 +24,13 @@ class TerrainView {
 
   explicit TerrainView(const Profile& profile) : profile_(&profile) {}
   /// `ground` and `faces` count from `origin`.
-  TerrainView(const Ground3& ground, const std::vector<Mesh::Face>& faces, const Vec3& origin)
-      : ground_(&ground), faces_(&faces), origin_(origin) {}
+  TerrainView(const Ground3& ground, const std::vector<Mesh::Face>& faces, const Vec3& origin,
+              double north = pi / 2)
+      : ground_(&ground), faces_(&faces), origin_(origin), north_(north) {}
 
   int dimension() const { return profile_ ? 2 : 3; }
+  /// The azimuth of bearing 0 (geometry/bearing.h) [rad].
+  double north() const { return north_; }
   /// The ends in plan; infinite for a plane in 3D.
   Vec2 low() const;
   Vec2 high() const;
@@ -53,6 +56,7 @@ class TerrainView {
   const Ground3* ground_ = nullptr;
   const std::vector<Mesh::Face>* faces_ = nullptr;
   Vec3 origin_ = Vec3::Zero();
+  double north_ = pi / 2;
 };
 
 }  // namespace flyrock

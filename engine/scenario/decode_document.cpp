@@ -52,7 +52,6 @@ class DocumentDecoder {
         warn_of_holes_away_from_faces(context_, *blast, *scenario_.blast, terrain);
     }
     decode_moving(terrain);
-    check_north_of_joints();
     if (const auto barriers = root_.find("barriers"))
       scenario_.barriers = decode_barriers(context_, *barriers, terrain.profile);
     if (const auto gates = root_.find("gates"))
@@ -94,18 +93,6 @@ class DocumentDecoder {
  private:
   void error_at(std::string_view key, const std::string& text) {
     if (const auto node = root_.find(key)) node->error(context_.diagnostics, text);
-  }
-
-  /// Populations are not told where north is: the dip directions of joints count from +y.
-  void check_north_of_joints() {
-    const auto has_joints = [](const RockGroup& group) {
-      return !group.table && !group.per_hole && group.population.plugin &&
-             group.population.plugin->spec.name == "joint_blocks";
-    };
-    if (context_.north != pi / 2 && std::any_of(scenario_.rocks.begin(), scenario_.rocks.end(), has_joints))
-      find_given(*root_.find("terrain"), "north")
-          ->error(context_.diagnostics,
-                  "`joint_blocks` takes +y for north: turn the terrain, or leave `north` out");
   }
 
   void decode_keys() {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/bearing.h"
 #include "solver/cone_of_motions.h"
 #include "trial/instances.h"
 
@@ -36,15 +37,14 @@ std::string names_of_joints(const BlockPlan<D>& plan, const std::vector<int>& jo
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// The direction of a motion: trend clockwise from north (+y), plunge below the horizontal.
-void set_direction(BlockRow& row, const Vec2& drive) {
+/// The direction of a motion: trend clockwise from north, plunge below the horizontal.
+void set_direction(BlockRow& row, const Vec2& drive, double) {
   row.plunge = std::atan2(-drive.y(), std::abs(drive.x()));
 }
-void set_direction(BlockRow& row, const Vec3& drive) {
+void set_direction(BlockRow& row, const Vec3& drive, double north) {
   row.plunge = std::atan2(-drive.z(), drive.head<2>().norm());
   if (drive.head<2>().norm() <= 1e-9 * drive.norm()) return;  // straight down or up
-  row.trend = std::atan2(drive.x(), drive.y());
-  if (row.trend < 0) row.trend += 2 * pi;
+  row.trend = bearing_of_azimuth(std::atan2(drive.y(), drive.x()), north);
 }
 
 BlockMode mode_of(bool drives, bool removable, std::size_t carrying) {
@@ -79,7 +79,7 @@ JointStrength joint_strength(const Scenario& scenario, int material, const DrawK
 
 template <int D>
 BlockRow block_row(const BlockPlan<D>& plan, const Body<D>& body, double gravity,
-                   const JointStrength& strength) {
+                   const JointStrength& strength, double north) {
   const double width = body.volume / plan.volume;  // m in 2D, where the plan is of one metre; 1 in 3D
   const double weight = body.mass / width * gravity;
   BlockRow row;
@@ -102,7 +102,7 @@ BlockRow block_row(const BlockPlan<D>& plan, const Body<D>& body, double gravity
   row.mode = mode_of(drives, motion.removable, carrying.size());
   row.trend = row.plunge = row.factor = none;
   if (!drives) return row;
-  set_direction(row, motion.drive);
+  set_direction(row, motion.drive, north);
   std::vector<int> joints;
   double resistance = 0;
   for (const int i : carrying) {
@@ -143,8 +143,8 @@ BlockRegionRow region_row(const JointedRegion& region, int blocks) {
           .joint_count = region.joint_count};
 }
 
-template BlockRow block_row(const BlockPlan<2>&, const Body<2>&, double, const JointStrength&);
-template BlockRow block_row(const BlockPlan<3>&, const Body<3>&, double, const JointStrength&);
+template BlockRow block_row(const BlockPlan<2>&, const Body<2>&, double, const JointStrength&, double);
+template BlockRow block_row(const BlockPlan<3>&, const Body<3>&, double, const JointStrength&, double);
 template bool moves(const BlockPlan<2>&, const BlockRow&);
 template bool moves(const BlockPlan<3>&, const BlockRow&);
 

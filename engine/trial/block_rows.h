@@ -25,10 +25,11 @@ JointStrength joint_strength(const Scenario& scenario, int material, const DrawK
 /// The row of a block that is at rest. Its load is its weight with the push, the bolts and the water of its
 /// plan; solver/cone_of_motions.h says how it starts to move. With the forces N_i of the joints that carry
 /// it, factor = sum(c A_i + N_i mu) / |drive|. A block that falls has the factor 0; one that is held or
-/// locked has none. `gravity` [m/s2].
+/// locked has none. `gravity` [m/s2]; `north`: the azimuth of
+/// bearing 0 [rad].
 template <int D>
 BlockRow block_row(const BlockPlan<D>& plan, const Body<D>& body, double gravity,
-                   const JointStrength& strength);
+                   const JointStrength& strength, double north = pi / 2);
 
 /// Whether the plan of its population lets a block move.
 template <int D>

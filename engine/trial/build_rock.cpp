@@ -288,7 +288,7 @@ void TrialBuilder<D>::ask_launch(TrialRock& rock, const Place<D>& place, const T
   view.outward = place.outward;
   view.face_angle = place.face_angle;
   view.group = group.name;
-  const TerrainView ground = view_of(terrain, origin());
+  const TerrainView ground = view_of(terrain, scenario_.terrain);
   view.terrain = &ground;
   RandomStream rng(scenario_.streams, streams_[rock.group].launch, rock.key);
   std::vector<double> values = values_of(*group.launch, scenario_, rock.key);

@@ -236,8 +236,8 @@ void TrialBuilder<D>::add_block(Trial<D>& trial, const RockPlan<D>& plan, const 
   World<D>& world = trial.worlds.front();
   Body<D> body = rock_body(plan, rock, world.terrain(), where);
   const int material = at_path("pairs", [&] { return material_between(scenario_, partner, partner); });
-  BlockRow row =
-      block_row(*plan.block, body, -world.gravity()[D - 1], joint_strength(scenario_, material, rock.key));
+  BlockRow row = block_row(*plan.block, body, -world.gravity()[D - 1],
+                           joint_strength(scenario_, material, rock.key), scenario_.terrain.north);
   row.block = static_cast<int>(trial.blocks.size());
   row.centre.template head<D>() = *plan.position;
   if (moves(*plan.block, row))
@@ -298,7 +298,7 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
   const int of_blast = branch_of_blast(scenario_, number_of_trial);
   if (scenario_.rock_contacts) add_world(trial, of_trial);
 
-  const TerrainView ground = view_of(*trial.terrain, origin());
+  const TerrainView ground = view_of(*trial.terrain, scenario_.terrain);
   std::vector<Partner> partners;
   std::uint64_t count = 0;
   for (int g = 0; g < static_cast<int>(scenario_.rocks.size()); ++g) {

@@ -52,10 +52,12 @@ inline std::size_t bytes_of(const Terrain2& terrain) {
 }
 inline std::size_t bytes_of(const Terrain3& terrain) { return terrain.bytes(); }
 
-/// The ground as plugins see it; it counts from `origin`.
-inline TerrainView view_of(const Terrain2& terrain, const Vec3&) { return TerrainView(terrain.profile()); }
-inline TerrainView view_of(const Terrain3& terrain, const Vec3& origin) {
-  return {terrain.ground(), terrain.faces(), origin};
+/// The ground as plugins see it.
+inline TerrainView view_of(const Terrain2& terrain, const TerrainPlan&) {
+  return TerrainView(terrain.profile());
+}
+inline TerrainView view_of(const Terrain3& terrain, const TerrainPlan& plan) {
+  return {terrain.ground(), terrain.faces(), plan.origin, plan.north};
 }
 
 template <int D>

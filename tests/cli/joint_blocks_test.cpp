@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program.h"
+#include "rows.h"
 
 using namespace flyrock::test;
 
@@ -108,6 +109,38 @@ TEST_CASE("a survey that cannot be read is refused in one line with its place, a
   CHECK(call(folder, "joints steep.csv --face 70/180")
             .err.find("--face and --friction: expected both or none") != std::string::npos);
   CHECK_FALSE(folder.has("out"));
+}
+
+TEST_CASE("dip directions, trends and bearings of joint blocks count from the north of the terrain") {
+  // The same joints, bolt and push where north is +y, and where it is +x: every bearing is 90 deg less.
+  const auto scenario = [](const std::string& terrain, int north) {
+    std::string text = box(fmt::format(R"(sets:
+      - {{ name: a, dip: 70 deg, dip_direction: {} deg, spacing: 5 m, origin: [0.3, 0.4, 0.5] }}
+      - {{ name: b, dip: 80 deg, dip_direction: {} deg, spacing: 6 m, origin: [0.3, 0.4, 0.5] }}
+      - {{ name: c, dip: 25 deg, dip_direction: {} deg, spacing: 4 m, origin: [0.3, 0.4, 0.5] }})",
+                                       90 + north, 170 + north, 280 + north),
+                           fmt::format(R"(horizontal: 0.1
+    bearing: {} deg
+    bolts: [{{ at: [1, 1, 7.9], trend: {} deg, plunge: 10 deg, force: 100 kN }}])",
+                                       150 + north, 270 + north));
+    const std::string plane = "{ type: plane, material: rock }";
+    return text.replace(text.find(plane), plane.size(), terrain);
+  };
+  const Folder folder;
+  folder.write("y.yaml", scenario("{ type: plane, material: rock }", 0));
+  folder.write("x.yaml", scenario("{ type: plane, material: rock, north: 0 deg }", -90));
+  const auto blocks_of = [&](const std::string& name, int north) {
+    const Output output = call(folder, fmt::format("run {0}.yaml --quiet -o {0}", name));
+    INFO(output.err);
+    REQUIRE(output.code == 0);
+    return query(folder.path() / name / "results.db",
+                 fmt::format("select round(volume_m3, 6), mode, round(factor, 6), round(plunge_deg, 6), "
+                             "round(trend_deg - {} + 360, 4) % 360 from blocks order by trial, rock",
+                             north));
+  };
+  const auto of_y = blocks_of("y", 0), of_x = blocks_of("x", -90);
+  CHECK(of_y.size() > 20);
+  CHECK(of_y == of_x);
 }
 
 }  // namespace joint_blocks_test

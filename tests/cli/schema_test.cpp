@@ -237,7 +237,8 @@ bool is_wrong_form(const Mutant& mutant) {
   if (says(mutant.what, "without "))  // not: what another key beside it needs
     return says(mutant.errors, " is missing, expected") || says(mutant.errors, " is missing\n");
   if (says(mutant.what, "unknown key")) return says(mutant.errors, "oops_key");
-  if (says(mutant.errors, "there is no file")) return false;  // a text may be the name of one
+  // A text may be the name of a file, or of a shape of the scenario.
+  if (says(mutant.errors, "there is no file") || says(mutant.errors, "`shapes` has no `oops`")) return false;
   return true;
 }
 

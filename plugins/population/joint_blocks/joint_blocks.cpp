@@ -77,9 +77,9 @@ class Quarry {
 
   std::vector<RockPlan<D>> rocks() {
     refuse_ground(rock_.blocks().front());
-    for (const Joint<D>& joint : params_.measured(values_, corners_, rng_))
+    for (const Joint<D>& joint : params_.measured(values_, terrain_.north(), corners_, rng_))
       cut(joint, params_.name_of_measured(joint.set));
-    const auto sets = params_.sets(values_);
+    const auto sets = params_.sets(values_, terrain_.north());
     for (std::size_t s = 0; s < sets.size(); ++s) {
       const auto joints = draw_joints(sets[s], static_cast<int>(s), corners_, rng_);
       if (joints.size() >= most_places)
@@ -148,7 +148,8 @@ class Quarry {
       rock.block = blocks.back();
     }
     if (rocks.empty()) refuse("all blocks are smaller than `least_volume`");
-    for (const auto& bolt : params_.bolts(values_)) nearest_block(rocks, blocks, bolt.at).pull += bolt.force;
+    for (const auto& bolt : params_.bolts(values_, terrain_.north()))
+      nearest_block(rocks, blocks, bolt.at).pull += bolt.force;
     return rocks;
   }
 
@@ -169,7 +170,7 @@ class Quarry {
       plan.faces.push_back({joint, face.normal, area_of<D>(rock_.points(), face)});
     }
     plan.volume = volume;
-    plan.push = params_.push(values_, outward_);
+    plan.push = params_.push(values_, terrain_.north(), outward_);
     plan.moving = params_.moving();
     plan.pressure = params_.water(values_) * water_weight * (crest_ - lowest) / 6;
     plan.region = region_;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "geometry/bearing.h"
+
 namespace flyrock::plugins {
 
 namespace {
@@ -10,11 +12,14 @@ namespace {
   throw PluginError("plugin joint_blocks: " + text);
 }
 
-/// The horizontal unit vector of a bearing, clockwise from north, which is +y.
-Vec2 along_bearing(double bearing) { return {std::sin(bearing), std::cos(bearing)}; }
+/// The horizontal unit vector of a bearing. `north`: the azimuth of bearing 0.
+Vec2 along_bearing(double bearing, double north) {
+  const double azimuth = azimuth_of_bearing(bearing, north);
+  return {std::cos(azimuth), std::sin(azimuth)};
+}
 
-Vec3 downwards(double trend, double plunge) {
-  const Vec2 level = along_bearing(trend);
+Vec3 downwards(double trend, double plunge, double north) {
+  const Vec2 level = along_bearing(trend, north);
   return {std::cos(plunge) * level.x(), std::cos(plunge) * level.y(), -std::sin(plunge)};
 }
 
@@ -70,13 +75,13 @@ typename JointParams<D>::Orientation JointParams<D>::orientation_of(const ParamR
 }
 
 template <int D>
-Vec<D> JointParams<D>::normal_of(Values values, const Orientation& orientation) {
+Vec<D> JointParams<D>::normal_of(Values values, const Orientation& orientation, double north) {
   if constexpr (D == 2) {
     const double angle = values[static_cast<std::size_t>(orientation.angle)];
     return {-std::sin(angle), std::cos(angle)};
   } else {
     const double dip = values[static_cast<std::size_t>(orientation.dip)];
-    const Vec2 level = along_bearing(values[static_cast<std::size_t>(orientation.direction)]);
+    const Vec2 level = along_bearing(values[static_cast<std::size_t>(orientation.direction)], north);
     return {std::sin(dip) * level.x(), std::sin(dip) * level.y(), std::cos(dip)};
   }
 }
@@ -123,13 +128,13 @@ typename JointParams<D>::Measured JointParams<D>::read_measured(const ParamRecor
 }
 
 template <int D>
-std::vector<Joint<D>> JointParams<D>::measured(Values values, const std::vector<Vec<D>>& corners,
-                                               RandomStream& rng) const {
+std::vector<Joint<D>> JointParams<D>::measured(Values values, double north,
+                                               const std::vector<Vec<D>>& corners, RandomStream& rng) const {
   std::vector<Joint<D>> joints;
   for (const Measured& plane : measured_) {
     Joint<D> joint;
     joint.set = static_cast<int>(joints.size());
-    joint.normal = normal_of(values, plane.orientation);
+    joint.normal = normal_of(values, plane.orientation, north);
     if (plane.place[0] >= 0) {
       for (int k = 0; k < D; ++k) joint.centre[k] = values[static_cast<std::size_t>(plane.place[k])];
       joint.offset = joint.normal.dot(joint.centre);
@@ -148,11 +153,11 @@ std::vector<Joint<D>> JointParams<D>::measured(Values values, const std::vector<
 }
 
 template <int D>
-std::vector<JointSet<D>> JointParams<D>::sets(Values values) const {
+std::vector<JointSet<D>> JointParams<D>::sets(Values values, double north) const {
   std::vector<JointSet<D>> sets;
   for (const SetSlots& slots : sets_) {
     JointSet<D>& set = sets.emplace_back(slots.set);
-    set.normal = normal_of(values, slots.orientation);
+    set.normal = normal_of(values, slots.orientation, north);
     set.fisher_k = value_or(values, slots.fisher_k, 0);
     set.persistence = value_or(values, slots.persistence, 1);
     if (slots.origin >= 0) set.origin = vector_at<D>(values, slots.origin);
@@ -161,7 +166,7 @@ std::vector<JointSet<D>> JointParams<D>::sets(Values values) const {
 }
 
 template <int D>
-Vec<D> JointParams<D>::push(Values values, const Vec<D>& outward) const {
+Vec<D> JointParams<D>::push(Values values, double north, const Vec<D>& outward) const {
   const double share = values[static_cast<std::size_t>(horizontal_)];
   if (D == 2 || bearing_ < 0) {
     if (share != 0 && outward.isZero(0))
@@ -170,12 +175,12 @@ Vec<D> JointParams<D>::push(Values values, const Vec<D>& outward) const {
     return share * outward;
   }
   Vec<D> push = Vec<D>::Zero();
-  push.template head<2>() = share * along_bearing(values[static_cast<std::size_t>(bearing_)]);
+  push.template head<2>() = share * along_bearing(values[static_cast<std::size_t>(bearing_)], north);
   return push;
 }
 
 template <int D>
-std::vector<typename JointParams<D>::Bolt> JointParams<D>::bolts(Values values) const {
+std::vector<typename JointParams<D>::Bolt> JointParams<D>::bolts(Values values, double north) const {
   std::vector<Bolt> bolts;
   for (const BoltSlots& slots : bolts_) {
     Bolt& bolt = bolts.emplace_back();
@@ -186,7 +191,7 @@ std::vector<typename JointParams<D>::Bolt> JointParams<D>::bolts(Values values) 
     if constexpr (D == 2)
       bolt.force = force * Vec2(std::cos(plunge), -std::sin(plunge));
     else
-      bolt.force = force * downwards(trend, plunge);
+      bolt.force = force * downwards(trend, plunge, north);
   }
   return bolts;
 }

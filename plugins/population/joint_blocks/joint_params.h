@@ -9,7 +9,8 @@
 
 namespace flyrock::plugins {
 
-/// A contradiction between parameters throws PluginError, with the name of the key.
+/// A contradiction between parameters throws PluginError, with the name of the key. `north`: the azimuth of
+/// bearing 0 (geometry/bearing.h).
 template <int D>
 class JointParams {
  public:
@@ -19,11 +20,12 @@ class JointParams {
   const std::vector<Vec<D>>& region() const { return region_; }
   /// The measured joints, in the order of their list; `set` is the place in it. One without a place goes
   /// through a random place of the ball about the corners.
-  std::vector<Joint<D>> measured(Values values, const std::vector<Vec<D>>& corners, RandomStream& rng) const;
+  std::vector<Joint<D>> measured(Values values, double north, const std::vector<Vec<D>>& corners,
+                                 RandomStream& rng) const;
   const std::string& name_of_measured(int place) const {
     return measured_[static_cast<std::size_t>(place)].name;
   }
-  std::vector<JointSet<D>> sets(Values values) const;
+  std::vector<JointSet<D>> sets(Values values, double north) const;
 
   /// m3, in 2D m2.
   double least_volume(Values values) const { return values[least_volume_]; }
@@ -31,12 +33,12 @@ class JointParams {
   MovingBlocks moving() const { return moving_; }
   double water(Values values) const { return values[water_]; }
   /// The horizontal force as a share of the weight; `outward` where no bearing is given.
-  Vec<D> push(Values values, const Vec<D>& outward) const;
+  Vec<D> push(Values values, double north, const Vec<D>& outward) const;
   struct Bolt {
     Vec<D> at = Vec<D>::Zero();     ///< m
     Vec<D> force = Vec<D>::Zero();  ///< N, on the block
   };
-  std::vector<Bolt> bolts(Values values) const;
+  std::vector<Bolt> bolts(Values values, double north) const;
 
  private:
   /// Slots of an orientation: the dip and its direction, or the angle of a line in 2D.
@@ -59,7 +61,7 @@ class JointParams {
   };
 
   static Orientation orientation_of(const ParamRecord& record, const std::string& key);
-  static Vec<D> normal_of(Values values, const Orientation& orientation);
+  static Vec<D> normal_of(Values values, const Orientation& orientation, double north);
   SetSlots read_set(const ParamRecord& record, std::size_t place) const;
   Measured read_measured(const ParamRecord& record, std::size_t place) const;
 

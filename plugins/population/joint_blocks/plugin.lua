@@ -23,7 +23,7 @@ return fr.plugin {
       fields = {
         name = fr.text { optional = true, doc = "in tables; else set_1, set_2, ..." },
         dip = fr.number { optional = true, needed_in = 3, min = 0, max = 90, unit = "deg", doc = "3D: from the horizontal" },
-        dip_direction = fr.number { optional = true, needed_in = 3, min = 0, max = 360, unit = "deg", doc = "3D: clockwise from north (+y)" },
+        dip_direction = fr.number { optional = true, needed_in = 3, min = 0, max = 360, unit = "deg", doc = "3D: a bearing, clockwise from north" },
         angle = fr.number { optional = true, needed_in = 2, min = -180, max = 180, unit = "deg", doc = "2D: of the line, from +x counter-clockwise" },
         fisher_k = fr.number {
           optional = true,
@@ -43,7 +43,7 @@ return fr.plugin {
       file = true,
       fields = {
         dip = fr.number { optional = true, needed_in = 3, min = 0, max = 90, unit = "deg", doc = "3D: from the horizontal" },
-        dip_direction = fr.number { optional = true, needed_in = 3, min = 0, max = 360, unit = "deg", doc = "3D: clockwise from north (+y)" },
+        dip_direction = fr.number { optional = true, needed_in = 3, min = 0, max = 360, unit = "deg", doc = "3D: a bearing, clockwise from north" },
         angle = fr.number { optional = true, needed_in = 2, min = -180, max = 180, unit = "deg", doc = "2D: of the line, from +x counter-clockwise" },
         x = fr.number { optional = true, unit = "m", doc = "a place on it; without a place it lies at random in the region" },
         y = fr.number { optional = true, unit = "m", doc = "a place on it" },
@@ -71,7 +71,7 @@ return fr.plugin {
       min = 0,
       max = 360,
       unit = "deg",
-      doc = "3D: of the horizontal force, clockwise from north (+y); else out of the notch. In 2D it acts along +x",
+      doc = "3D: of the horizontal force, a bearing, clockwise from north; else out of the notch. In 2D it acts along +x",
     },
     water = fr.number {
       default = 0,
@@ -84,7 +84,7 @@ return fr.plugin {
       optional = true,
       fields = {
         at = fr.vector { unit = "m", doc = "a place in the block that it holds" },
-        trend = fr.number { default = 0, min = -360, max = 360, unit = "deg", doc = "3D: of its pull on the block, clockwise from north (+y)" },
+        trend = fr.number { default = 0, min = -360, max = 360, unit = "deg", doc = "3D: of its pull on the block, a bearing, clockwise from north" },
         plunge = fr.number { min = -180, max = 180, unit = "deg", doc = "of its pull below the horizontal, in 2D from +x clockwise" },
         force = fr.number { above = 0, unit = "N", doc = "in 2D per metre of width" },
       },
