@@ -136,13 +136,18 @@ class KeyWalk {
   void walk(Document& document) {
     const Value* dimension = document.root.find("dimension");
     stem_ = dimension && dimension->number() && *dimension->number() == 3 ? "3D " : "2D ";
+    replaced_.clear();
+    if (const Value* sweep = document.root.find("sweep"))
+      if (const Value* rows = sweep->find("rows"); rows && rows->list())
+        for (const Value& row : *rows->list())
+          for (const Entry& entry : *row.map()) replaced_.insert(entry.key);
     visit(document, document.root, "");
   }
 
  private:
   static bool is_free(const std::string& place) {  // names and paths of the user
     return place == "materials" || place == "terrain.materials" || place == "branches.set" ||
-           place == "expect.at";
+           place == "expect.at" || place == "sweep.rows";
   }
   bool is_turn(const std::string& what) {
     return seen_.insert(stem_ + what).second && count_++ % stride_ == 0;
@@ -157,10 +162,11 @@ class KeyWalk {
         const std::string key = is_free(place)  ? place
                                 : place.empty() ? (*map)[i].key
                                                 : place + "." + (*map)[i].key;
-        if (place == "branches.set" || place == "expect.at") continue;
+        if (place == "branches.set" || place == "expect.at" || place == "sweep.rows") continue;
         if (!is_free(place) && is_turn("-" + kind + key))
           mutants_.leave_out(document, value, i, kind + ": " + key);
-        if (is_turn("~" + kind + key)) mutants_.change_type(document, (*map)[i].value, kind + ": " + key);
+        if (!replaced_.contains(key) && is_turn("~" + kind + key))
+          mutants_.change_type(document, (*map)[i].value, kind + ": " + key);
         visit(document, (*map)[i].value, is_free(place) ? place + ".NAME" : key);
       }
     }
@@ -172,6 +178,7 @@ class KeyWalk {
   std::set<std::string>& seen_;
   std::size_t stride_, count_ = 0;
   std::string stem_;
+  std::set<std::string> replaced_;  ///< paths whose value the rows of a design replace
 };
 
 /// A use of a plugin in a tree; null if there is none.
