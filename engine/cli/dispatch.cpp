@@ -15,6 +15,7 @@
 #include "document/odd_characters.h"
 #include "document/printable.h"
 #include "document/wording.h"
+#include "report/commit.h"
 #include "solver/hdf5_file.h"
 
 namespace flyrock::cli {
@@ -66,8 +67,10 @@ void print_version() {
 #else
   const char* build = "debug";
 #endif
-  fmt::print("flyrock {}\nbuild: {}, {}, C++{}\noptional parts: {}\n", FLYROCK_VERSION, build,
-             "GCC " __VERSION__, __cplusplus / 100 % 100, has_hdf5() ? "HDF5" : "none");
+  const std::string commit = source_commit();
+  fmt::print("flyrock {}{}\nbuild: {}, {}, C++{}\noptional parts: {}\n", FLYROCK_VERSION,
+             commit.empty() ? "" : fmt::format(" (commit {})", commit), build, "GCC " __VERSION__,
+             __cplusplus / 100 % 100, has_hdf5() ? "HDF5" : "none");
 }
 
 void print_help() {

@@ -4,6 +4,7 @@
 
 #include "math/sphere.h"
 #include "report/block_picture.h"
+#include "report/commit.h"
 #include "report/convergence.h"
 #include "report/envelope_data.h"
 #include "report/ground_data.h"
@@ -86,10 +87,11 @@ LawSubject subject_of(const PointResult& point) {
   return subject;
 }
 
-/// { sha256, plugins, files }, of the plugins that the run used; without the name of the scenario file,
-/// because it may change before shards are merged.
+/// { commit, sha256, plugins, files }, of the plugins that the run used; without the name of the scenario
+/// file, because it may change before shards are merged.
 Json source_data(const LoadedScenario& scenario) {
-  return {{"sha256", scenario.hash},
+  return {{"commit", source_commit()},
+          {"sha256", scenario.hash},
           {"plugins", hash_data(used_sources(scenario))},
           {"files", hash_data(scenario.files)}};
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "batch/plan_chunks.h"
+#include "report/commit.h"
 #include "report/csv.h"
 #include "report/hash_data.h"
 #include "report/shown_value.h"
@@ -82,6 +83,7 @@ std::string summary_json(const Plan& plan, const Results& results) {
 std::string manifest_json(const LoadedScenario& loaded) {
   const Scenario& first = loaded.plan.points.front();
   const Json manifest = {{"flyrock", FLYROCK_ENGINE_VERSION},
+                         {"commit", source_commit()},
                          {"format", result_format},
                          {"scenario_sha256", loaded.hash},
                          {"seed", first.streams.seed},

@@ -230,8 +230,9 @@ function warnings_parts() {
 
 function reproduce_section() {
   const source = data.source, file = "scenario.yaml";
+  const program = `flyrock ${summary.flyrock}` + (source.commit ? ` (commit ${source.commit})` : "");
   section("How to reproduce this",
-    paragraph("", `Every number of this page follows from the scenario below, its seed ${summary.seed} and flyrock ${summary.flyrock}: save it as ${file} beside the files that it names, and run`),
+    paragraph("", `Every number of this page follows from the scenario below, its seed ${summary.seed} and ${program}: save it as ${file} beside the files that it names, and run`),
     element("pre", { tabindex: "0" }, `flyrock run ${file}\nflyrock run ${file} --only point=0,trial=0   # one trial again, with its trajectory`),
     paragraph("", "The results are the same bytes for any number of threads, and where a run is interrupted and resumed, or put together from shards."),
     table("", ["what", "SHA-256"], [[`scenario, plugins, files and flyrock ${summary.flyrock} together`, { text: source.sha256, cls: "hash" }], ...[...source.plugins, ...source.files].map((file) => [file.name, { text: file.sha256, cls: "hash" }])]),
