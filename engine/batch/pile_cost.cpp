@@ -11,6 +11,11 @@ std::string pile_cost_note(const Scenario& scenario, std::size_t bodies) {
   constexpr std::size_t few = 20;                   // bodies, which make no pile
   constexpr double minute = 60;
   if (bodies < few) return {};
+  if (scenario.solver.dense.bodies == "exact")
+    return fmt::format(
+        "{} bodies that may meet: with `solver.bodies: exact` each touch of two cuts the step of all, and a "
+        "pile of them may not come to its end; `auto` is for piles",
+        bodies);
   const double steps = scenario.stop.time / scenario.solver.dense.time_step;
   const double seconds = static_cast<double>(bodies) * steps * (scenario.dimension == 2 ? of_2d : of_3d);
   if (seconds < minute) return {};

@@ -58,7 +58,7 @@ bool World<D>::can_be_dense() const {
 template <int D>
 int World<D>::most_contacts_of_island() {
   constexpr std::size_t most_of_pair = D == 2 ? 2 : 4, becomes = becomes_dense;
-  const bool began = last_step_ > 0;  // else contacts_ is not known yet
+  const bool began = last_step_ > 0;                                 // else contacts_ is not known yet
   if (!dense_ && began && 4 * contacts_.size() < becomes) return 0;  // so few touch that none is a pile
   const auto& pairs = near_pairs(settings_.dense_step);
   if (!dense_ && most_of_pair * (pairs.size() + bodies.size()) < becomes) return 0;
@@ -235,7 +235,7 @@ void World<D>::move_densely(double h) {
       body.displace(t * (before + 0.5 * t / h * gain) + (h - t) * (after - 0.5 * (h - t) / h * gain));
     } else {
       body.displace(h * after);
-      theta_loss_ += 0.5 * h * body.mass * gravity_.dot(body.v - starts_[i].v);
+      theta_loss_ += 0.5 * h * body.mass * (gravity_ + body.push).dot(body.v - starts_[i].v);
     }
   }
 }

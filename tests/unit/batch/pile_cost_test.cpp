@@ -21,4 +21,6 @@ TEST_CASE("check says what piles of many bodies may cost, by bodies and steps") 
   CHECK(!pile_cost_note(scenario, 300).ends_with("all 1"));
   scenario.solver.dense.time_step = 0.04;
   CHECK(pile_cost_note(scenario, 300).empty());
+  scenario.solver.dense.bodies = "exact";
+  CHECK(pile_cost_note(scenario, 300).find("each touch of two cuts the step of all") != std::string::npos);
 }
