@@ -75,8 +75,20 @@ struct ContactProblem {
     }
   };
 
+  /// A body that a contact pushes.
+  struct Side {
+    static constexpr int freedoms = D == 2 ? 3 : 6;
+    int body = -1;                                            ///< -1: none
+    Eigen::Matrix<double, freedoms, rows> columns, mobility;  ///< H and M^-1 H
+  };
+
   std::vector<Contact> contacts;
   std::vector<int> first;  ///< the couplings of contact a are [first[a], first[a + 1])
+
+  /// Of each contact, so that W_ab is the sum of H_a^T (M^-1 H_b) over the bodies of both; or none, where W
+  /// is known by its blocks alone.
+  std::vector<std::array<Side, 2>> sides;
+  int bodies = 0;  ///< those of the sides have lower numbers
 
   int size() const { return static_cast<int>(contacts.size()); }
   /// The number of leading rows in use: D if no contact resists rotation, otherwise `rows`. Coupling blocks
@@ -88,7 +100,7 @@ struct ContactProblem {
 
   /// Empties the problem; `width` is D or `rows`.
   void clear(int width = rows) {
-    contacts.clear(), first.clear(), other_.clear(), blocks_.clear();
+    contacts.clear(), first.clear(), other_.clear(), blocks_.clear(), sides.clear();
     width_ = width;
   }
   /// Adds the block that couples the contact under construction (the owner of the range) with contact `b`.
@@ -105,6 +117,7 @@ struct ContactProblem {
   }
   /// Multiplies the couplings of contact `a` to others by a factor, in one row of `a`.
   void scale_couplings(int a, int row, double factor) {
+    sides.clear();
     for (int k = first[a]; k < first[a + 1]; ++k)
       for (int column = 0; column < width_; ++column)
         blocks_[(static_cast<std::size_t>(k) * width_ + column) * width_ + row] *= factor;

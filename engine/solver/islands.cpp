@@ -34,11 +34,13 @@ void Islands<D>::extract(const Problem& problem, int island, Problem& part) {
   part.clear(problem.width());
   for (const int a : members) {
     part.contacts.push_back(problem.contacts[a]);
+    if (!problem.sides.empty()) part.sides.push_back(problem.sides[a]);
     part.first.push_back(part.couplings());
     for (int k = problem.first[a]; k < problem.first[a + 1]; ++k)
       part.couple_as(problem, k, place_[problem.other(k)]);
   }
   part.first.push_back(part.couplings());
+  part.bodies = problem.bodies;
 }
 
 template class Islands<2>;

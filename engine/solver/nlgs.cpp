@@ -58,41 +58,84 @@ void Nlgs<D>::begin_acceleration() {
   anderson_.begin(scale_);
 }
 
+/// Solves a contact for the velocity b that all others give it. Returns the error of r before, by the measure
+/// of the settings: for a step relative to its speed_scale, for the merit squared; 0 if it is not
+/// accelerated.
+template <int D>
+template <int N>
+double Nlgs<D>::solve_contact(int a, const Row& b, Row& r) const {
+  const auto& contact = problem_->contacts[a];
+  double error = 0;
+  if (accelerated_) {
+    Row u = b;
+    u.template head<N>().noalias() += contact.w.template topLeftCorner<N, N>() * r.template head<N>();
+    error = settings_.measure == ErrorMeasure::merit ? natural_map_squared<D>(contact, u, r)
+                                                     : local_error<D>(contact, u, r) / contact.speed_scale;
+  }
+  if constexpr (D == 2) {
+    r = solve_local(contact, b);
+  } else if (contact.is_plain()) {
+    r.template head<3>() = friction_[a].solve(b.template head<3>(), r.template head<3>());
+    r.template tail<3>().setZero();
+  } else {
+    r = solve_bounded(contact, b, r);
+  }
+  return error;
+}
+
 /// One sweep over the leading N rows. In problems of more than a few contacts, it returns the error seen
 /// during the sweep: the error of each contact just before it is solved, by the measure of the settings. For
 /// a step this is the greatest error relative to its speed_scale; for the merit it is |F|.
 template <int D>
 template <int N>
-double Nlgs<D>::sweep_rows(std::vector<Row>& r) const {
-  const Problem& problem = *problem_;
-  double greatest = 0, squares = 0;
-  for (int a = 0; a < problem.size(); ++a) {
-    const auto& contact = problem.contacts[a];
-    Row b = contact.q;
-    problem.template add_couplings<N>(a, r, b);
-    if (accelerated_) {
-      Row u = b;
-      u.template head<N>().noalias() += contact.w.template topLeftCorner<N, N>() * r[a].template head<N>();
-      if (settings_.measure == ErrorMeasure::merit)
-        squares += natural_map_squared<D>(contact, u, r[a]);
-      else
-        greatest = std::max(greatest, local_error<D>(contact, u, r[a]) / contact.speed_scale);
-    }
-    if constexpr (D == 2) {
-      r[a] = solve_local(contact, b);
-    } else if (contact.is_plain()) {
-      r[a].template head<3>() = friction_[a].solve(b.template head<3>(), r[a].template head<3>());
-      r[a].template tail<3>().setZero();
-    } else {
-      r[a] = solve_bounded(contact, b, r[a]);
-    }
+double Nlgs<D>::sweep_rows(std::vector<Row>& r) {
+  double greatest = 0, sum = 0;
+  for (int a = 0; a < problem_->size(); ++a) {
+    Row b = problem_->contacts[a].q;
+    problem_->template add_couplings<N>(a, r, b);
+    const double error = solve_contact<N>(a, b, r[a]);
+    greatest = std::max(greatest, error);
+    sum += error;
   }
-  return settings_.measure == ErrorMeasure::merit ? std::sqrt(squares) : greatest;
+  return settings_.measure == ErrorMeasure::merit ? std::sqrt(sum) : greatest;
+}
+
+/// The same with the velocities that the impulses give to the bodies, v = sum of M^-1 H_b r_b:
+///   b_a = q_a + H_a^T (v - M^-1 H_a r_a).
+template <int D>
+template <int N>
+double Nlgs<D>::sweep_bodies(std::vector<Row>& r) {
+  const Problem& problem = *problem_;
+  motions_.resize(static_cast<std::size_t>(problem.bodies));
+  for (auto& motion : motions_) motion.setZero();
+  const auto move = [&](int a, const Row& impulse) {
+    for (const auto& side : problem.sides[a])
+      if (side.body >= 0)
+        motions_[side.body].noalias() += side.mobility.template leftCols<N>() * impulse.template head<N>();
+  };
+  for (int a = 0; a < problem.size(); ++a) move(a, r[a]);
+  double greatest = 0, sum = 0;
+  for (int a = 0; a < problem.size(); ++a) {
+    move(a, -r[a]);
+    Row b = problem.contacts[a].q;
+    for (const auto& side : problem.sides[a])
+      if (side.body >= 0)
+        b.template head<N>().noalias() +=
+            side.columns.template leftCols<N>().transpose() * motions_[side.body];
+    const double error = solve_contact<N>(a, b, r[a]);
+    move(a, r[a]);
+    greatest = std::max(greatest, error);
+    sum += error;
+  }
+  return settings_.measure == ErrorMeasure::merit ? std::sqrt(sum) : greatest;
 }
 
 template <int D>
-double Nlgs<D>::sweep(std::vector<Row>& r) const {
-  return problem_->width() == D ? sweep_rows<D>(r) : sweep_rows<Problem::rows>(r);
+double Nlgs<D>::sweep(std::vector<Row>& r) {
+  const bool is_plain = problem_->width() == D;
+  if (problem_->size() >= many_contacts && !problem_->sides.empty())
+    return is_plain ? sweep_bodies<D>(r) : sweep_bodies<Problem::rows>(r);
+  return is_plain ? sweep_rows<D>(r) : sweep_rows<Problem::rows>(r);
 }
 
 /// Replaces r, the result of a sweep from from_, by the next start.

@@ -11,9 +11,11 @@
 namespace flyrock {
 
 /// A sweep visits the contacts in their order and solves each local problem exactly, with the impulses of all
-/// others fixed (local_2d.h, local_3d.h). In problems of more than a few contacts the sweeps are accelerated
-/// (anderson.h). The first solve reserves buffers for accelerated sweeps of a few contacts; a later one does
-/// not allocate once the buffers have grown. Instantiated for D = 2, 3.
+/// others fixed (local_2d.h, local_3d.h). In problems of hundreds of contacts that know their bodies, a sweep
+/// carries the velocities of these and not the blocks of W, of which there are many more. In problems of more
+/// than a few contacts the sweeps are accelerated (anderson.h). The first solve reserves buffers for
+/// accelerated sweeps of a few contacts; a later one does not allocate once the buffers have grown.
+/// Instantiated for D = 2, 3.
 template <int D>
 class Nlgs {
  public:
@@ -37,9 +39,13 @@ class Nlgs {
 
  private:
   void reserve();
-  double sweep(std::vector<Row>& r) const;
+  double sweep(std::vector<Row>& r);
   template <int N>
-  double sweep_rows(std::vector<Row>& r) const;
+  double sweep_rows(std::vector<Row>& r);
+  template <int N>
+  double sweep_bodies(std::vector<Row>& r);
+  template <int N>
+  double solve_contact(int a, const Row& b, Row& r) const;
   void begin_acceleration();
   void accelerate(std::vector<Row>& r);
 
@@ -50,7 +56,8 @@ class Nlgs {
   double expected_ratio_ = 1;  ///< error after a sweep / error during the sweep, from the last check
   int next_judgement_ = 1;
   bool accelerated_ = false;
-  std::vector<FrictionContact3> friction_;  ///< of each contact, in 3D
+  std::vector<FrictionContact3> friction_;                                  ///< of each contact, in 3D
+  std::vector<Eigen::Matrix<double, Problem::Side::freedoms, 1>> motions_;  ///< of each body, by r
   Anderson anderson_;
   std::vector<double> scale_, from_, to_;
   std::vector<Row> best_;

@@ -24,6 +24,10 @@ inline constexpr double default_tolerance = 1e-7;
 /// little.
 inline constexpr int few_contacts = 8;
 
+/// From this many contacts on, sweeps use the bodies of the contacts where the problem knows them
+/// (ContactProblem::sides).
+inline constexpr int many_contacts = 200;
+
 struct SolveSettings {
   double tolerance = default_tolerance;
   int max_iterations = 1000;  ///< sweeps of NLGS, or factorisations of the second solver

@@ -235,14 +235,20 @@ void World<D>::couple() {
   const auto of = [&](int a, int body) -> const auto& {
     return contacts_[a].candidate == body ? rows_[a].candidate : rows_[a].antagonist;
   };
+  const bool knows_bodies = contacts_.size() >= many_contacts && !deforms_ &&
+                            std::none_of(bodies.begin(), bodies.end(), changes_shape<D>);
+  problem_.bodies = static_cast<int>(bodies.size());
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
     problem_.first.push_back(problem_.couplings());
+    if (knows_bodies) problem_.sides.emplace_back();
+    int side = 0;
     for (const int body : {contacts_[a].candidate, contacts_[a].antagonist}) {
       if (body < 0 || !bodies[body].moves()) continue;
       ContactColumns<D> mobility;  // M^-1 H of contact a
       for (int k = 0; k < Problem::rows; ++k)
         mobility.col(k) = bodies[body].inverse_mass_times(of(a, body).col(k));
       problem_.contacts[a].w.noalias() += mobility.transpose() * of(a, body);
+      if (knows_bodies) problem_.sides[a][side++] = {body, of(a, body), mobility};
       const bool yields = changes_shape(bodies[body]);
       if (yields) {
         const ShapeTouch<D> own = shape_touch(contacts_[a], body);
