@@ -334,7 +334,7 @@ struct DensePlan {
   std::string bodies = "auto";  ///< or "exact", "dense"
   double time_step = 4e-3;      ///< s
   double tolerance = 1e-4;
-  std::optional<int> max_iterations;  ///< absent: by the number of contacts
+  std::optional<int> max_iterations = {};  ///< absent: by the number of contacts
 };
 
 struct SolverPlan {

@@ -36,9 +36,9 @@ struct WorldSettings {
   bool body_contacts = true;  ///< false: bodies meet the terrain only
   bool one_by_one = false;    ///< contacts that close at one instant collide one after the other
   ManyBodies many = ManyBodies::exact;
-  double dense_step = 4e-3;       ///< s
-  double dense_tolerance = 1e-4;  ///< of the contact solver in dense steps
-  std::optional<int> dense_iterations;  ///< absent: World::dense_sweeps
+  double dense_step = 4e-3;                  ///< s
+  double dense_tolerance = 1e-4;             ///< of the contact solver in dense steps
+  std::optional<int> dense_iterations = {};  ///< absent: World::dense_sweeps
 };
 
 /// A contact of the world, with its law, its impulse and its memory.
