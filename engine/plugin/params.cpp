@@ -89,30 +89,14 @@ std::shared_ptr<const Distribution> Params::law(std::string_view name) {
   return values_[at(name, {ParamType::law})].law;
 }
 
-namespace {
-
-/// Refuses points of another number of coordinates. A scenario that gives such has its error already, but is
-/// read to its end.
-void expect_coordinates(const std::string& plugin, std::string_view name,
-                        const std::vector<std::vector<double>>& list, std::size_t coordinates) {
-  for (const auto& point : list)
-    if (point.size() != coordinates)
-      throw PluginError(fmt::format("plugin {}: `{}` has a point of {} coordinates, expected {}", plugin,
-                                    name, point.size(), coordinates));
-}
-
-}  // namespace
-
 std::vector<Vec2> Params::points2(std::string_view name) {
   std::vector<Vec2> list;
-  expect_coordinates(spec_.name, name, points(name), 2);
   for (const auto& point : points(name)) list.emplace_back(point[0], point[1]);
   return list;
 }
 
 std::vector<Vec3> Params::points3(std::string_view name) {
   std::vector<Vec3> list;
-  expect_coordinates(spec_.name, name, points(name), 3);
   for (const auto& point : points(name)) list.emplace_back(point[0], point[1], point[2]);
   return list;
 }

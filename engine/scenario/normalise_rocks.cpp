@@ -107,7 +107,10 @@ void put_named_or_plugin(DecodeContext& context, Map& map, const Node& parent, c
   const std::string* name = shape ? shape->value->text() : nullptr;
   if (!name) return put_plugin(context, map, parent, "shape", PluginKind::shape, rules);
   const auto found = context.shapes.find(*name);
-  if (found != context.shapes.end()) return put(map, *shape, found->second);
+  if (found != context.shapes.end()) {
+    if (!context.is_sound("shapes." + *name)) context.unsound.insert(shape->path);  // no second error
+    return put(map, *shape, found->second);
+  }
   std::vector<std::string> names;
   for (const auto& [known, use] : context.shapes) names.push_back(known);
   shape->error(context.diagnostics,

@@ -6,6 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "math/space.h"
+
 namespace flyrock {
 
 /// Find impulses r and velocities u with
@@ -77,9 +79,8 @@ struct ContactProblem {
 
   /// A body that a contact pushes.
   struct Side {
-    static constexpr int freedoms = D == 2 ? 3 : 6;
-    int body = -1;                                            ///< -1: none
-    Eigen::Matrix<double, freedoms, rows> columns, mobility;  ///< H and M^-1 H
+    int body = -1;                                                 ///< -1: none
+    Eigen::Matrix<double, Space<D>::dof, rows> columns, mobility;  ///< H and M^-1 H
   };
 
   std::vector<Contact> contacts;

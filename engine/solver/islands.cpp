@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solver/solve_settings.h"
+
 namespace flyrock {
 
 template <int D>
@@ -32,15 +34,16 @@ void Islands<D>::extract(const Problem& problem, int island, Problem& part) {
   place_.resize(island_.size());
   for (std::size_t i = 0; i < members.size(); ++i) place_[members[i]] = static_cast<int>(i);
   part.clear(problem.width());
+  part.bodies = problem.bodies;
+  const bool knows_bodies = !problem.sides.empty() && members.size() >= many_contacts;
   for (const int a : members) {
     part.contacts.push_back(problem.contacts[a]);
-    if (!problem.sides.empty()) part.sides.push_back(problem.sides[a]);
+    if (knows_bodies) part.sides.push_back(problem.sides[a]);
     part.first.push_back(part.couplings());
     for (int k = problem.first[a]; k < problem.first[a + 1]; ++k)
       part.couple_as(problem, k, place_[problem.other(k)]);
   }
   part.first.push_back(part.couplings());
-  part.bodies = problem.bodies;
 }
 
 template class Islands<2>;

@@ -133,8 +133,7 @@ double Nlgs<D>::sweep_bodies(std::vector<Row>& r) {
 template <int D>
 double Nlgs<D>::sweep(std::vector<Row>& r) {
   const bool is_plain = problem_->width() == D;
-  if (problem_->size() >= many_contacts && !problem_->sides.empty())
-    return is_plain ? sweep_bodies<D>(r) : sweep_bodies<Problem::rows>(r);
+  if (!problem_->sides.empty()) return is_plain ? sweep_bodies<D>(r) : sweep_bodies<Problem::rows>(r);
   return is_plain ? sweep_rows<D>(r) : sweep_rows<Problem::rows>(r);
 }
 

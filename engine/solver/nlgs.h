@@ -56,8 +56,8 @@ class Nlgs {
   double expected_ratio_ = 1;  ///< error after a sweep / error during the sweep, from the last check
   int next_judgement_ = 1;
   bool accelerated_ = false;
-  std::vector<FrictionContact3> friction_;                                  ///< of each contact, in 3D
-  std::vector<Eigen::Matrix<double, Problem::Side::freedoms, 1>> motions_;  ///< of each body, by r
+  std::vector<FrictionContact3> friction_;                        ///< of each contact, in 3D
+  std::vector<Eigen::Matrix<double, Space<D>::dof, 1>> motions_;  ///< of each body, by r
   Anderson anderson_;
   std::vector<double> scale_, from_, to_;
   std::vector<Row> best_;

@@ -80,13 +80,12 @@ constexpr Mistake mistakes[] = {
 };
 
 /// Changes that are no mistakes, because the results are equal:
-///  - One contact without friction: Newton's U+ = -e U- is one equation for r, r = -(1 + e) U-/W. Poisson's
-///  compression
-///    ends at W r_c = -U-, and r = r_c + e r_c is the same.
+///  - One contact without friction: Newton's U+ = -e U- is one equation for r, r = -(1 + e) U-/W.
+///    Poisson's compression ends at W r_c = -U-, and r = r_c + e r_c is the same.
 ///  - The order of the values of a sweep: the points are the same, and expectations name them by value.
-///  - Equal balls in a row: in Newton's problem all contacts close, because U+ = -e U- holds with r = -(1 +
-///  e) W^-1 U- >= 0.
-///    In Poisson's compression W r_c = -U-, with r_c = -W^-1 U- >= 0, and (1 + e) r_c is the same r.
+///  - Equal balls in a row: in Newton's problem all contacts close, because U+ = -e U- holds with
+///    r = -(1 + e) W^-1 U- >= 0. In Poisson's compression W r_c = -U-, with r_c = -W^-1 U- >= 0, and
+///    (1 + e) r_c is the same r.
 constexpr Mistake equal[] = {
     {"bouncing_ball", "--set materials.floor.restitution.form=poisson"},
     {"signorini_coulomb", "--set 'materials.rock.friction.mu={sweep: [0.5,0.2]}'"},

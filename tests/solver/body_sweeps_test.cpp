@@ -14,7 +14,7 @@ template <int D>
 ContactProblem<D> chain(int bodies, int points, int width) {
   using Problem = ContactProblem<D>;
   using Columns = decltype(Problem::Side::columns);
-  constexpr int freedoms = Problem::Side::freedoms;
+  constexpr int freedoms = Space<D>::dof;
   std::mt19937 dice(5);
   const auto random = [&] { return std::uniform_real_distribution<double>(-1, 1)(dice); };
   Problem problem;

@@ -1,13 +1,12 @@
 // Contacts of balls, pills and hulls with a line of segments in 2D.
 #include <algorithm>
 
+#include "collision/ground/facet_region.h"
 #include "collision/rules.h"
 
 namespace flyrock {
 
 namespace {
-
-constexpr double region_slack = 1e-9;  // of the length of a segment: its strip ends that far beyond it
 
 bool in_cone(const Ground2& ground, int corner, const Vec2& direction, double slack) {
   return direction.dot(ground.tangent(corner - 1)) >= -slack &&
@@ -127,18 +126,19 @@ void vertex_contacts(const Placed2& placed, const Ground2& ground, const Ground2
   });
 }
 
-/// The edge of a hull that separates a place in its frame most, and its separation [m]. The search ends at
-/// an edge that separates by more than `farthest`.
+/// The edge of a hull that separates a place in its frame most, of those for which counts(edge), and its
+/// separation [m]. The search ends at an edge that separates by more than `farthest`.
 struct NearEdge {
   int edge = 0;
   double distance = -1e300;
 };
-NearEdge near_edge(const Contactor2& shape, const Vec2& local, double farthest) {
+template <class Counts>
+NearEdge near_edge(const Contactor2& shape, const Vec2& local, double farthest, const Counts& counts) {
   NearEdge best;
   const int n = static_cast<int>(shape.points.size());
   for (int e = 0; e < n && best.distance <= farthest; ++e) {
     const double outside = shape.normals[e].dot(local - shape.points[e]);
-    if (outside > best.distance) best = {e, outside};
+    if (outside > best.distance && counts(e)) best = {e, outside};
   }
   return best;
 }
@@ -161,15 +161,11 @@ void round_contact(const Vec2& centre, double radius, FeatureId feature, const G
 /// corner is nearer to the other edge of the vertex there, along which nothing can push it out.
 NearEdge facing_edge(const Placed2& placed, const Ground2& ground, int corner, const Vec2& local,
                      double farthest, double shallow, double cone_slack) {
-  const NearEdge near = near_edge(placed.shape, local, farthest);
+  const NearEdge near = near_edge(placed.shape, local, farthest, [](int) { return true; });
   const auto faces = [&](int edge) { return in_cone(ground, corner, -placed.normal(edge), cone_slack); };
   if (near.distance > 0 || near.distance < -shallow || faces(near.edge)) return near;
-  NearEdge best{near.edge, -shallow};
-  for (int e = 0; e < placed.count(); ++e) {
-    const double outside = placed.shape.normals[e].dot(local - placed.shape.points[e]);
-    if (outside > best.distance && faces(e)) best = {e, outside};
-  }
-  return best;
+  const NearEdge facing = near_edge(placed.shape, local, farthest, faces);
+  return facing.distance >= -shallow ? facing : near;
 }
 
 /// Contact points with convex corners: of the edge of the hull that a corner faces, or of the rounded vertex
