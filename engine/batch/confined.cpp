@@ -4,6 +4,7 @@
 
 #include "document/node.h"
 #include "document/printable.h"
+#include "document/workbook.h"
 
 namespace flyrock {
 
@@ -25,7 +26,7 @@ bool leads_out(const std::string& name, const fs::path& folder) {
 }
 
 void visit(const Node& node, const fs::path& folder, Diagnostics& diagnostics) {
-  if (const std::string* text = node.value->text(); text && leads_out(*text, folder))
+  if (const std::string* text = node.value->text(); text && leads_out(sheet_name(*text).file, folder))
     node.error(diagnostics, fmt::format("`{}` is outside of the scenario's folder, which --confined refuses",
                                         printable(*text, 200)));
   if (node.value->list())

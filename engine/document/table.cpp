@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <memory>
 
 #include "document/printable.h"
 #include "document/table_lines.h"
+#include "document/table_text.h"
 #include "document/wording.h"
 
 namespace flyrock {
@@ -171,29 +171,18 @@ class TextTableReader {
   }
 
   bool read_lines(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file || file.peek() == std::ifstream::traits_type::eof()) {
-      where_.error(diagnostics_, file ? fmt::format("the file {} is empty", path)
-                                      : fmt::format("cannot read the file {}", path));
+    try {
+      const TableText text = read_table_text(path);
+      source_ = text.source;
+      is_sheet_ = text.is_sheet;
+    } catch (const TableTextFault& fault) {
+      source_ = fault.source;
+      if (source_)
+        fail_at(fault.line, 1, fault.what());
+      else
+        where_.error(diagnostics_, fault.what());
       return false;
     }
-    auto source = std::make_shared<Source>();
-    source->name = path;
-    for (std::string line; std::getline(file, line);) {
-      if (!line.empty() && line.back() == '\r') line.pop_back();
-      if (source->lines.empty() && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
-      source->lines.push_back(std::move(line));
-    }
-    if (const std::string format = other_format(source->lines.front()); !format.empty()) {
-      where_.error(diagnostics_, fmt::format("the file {} {}", path, format));
-      return false;
-    }
-    source_ = std::move(source);
-    for (line_ = 1; line_ <= source_->lines.size(); ++line_)
-      if (const std::string fault = text_fault(source_->lines[line_ - 1]); !fault.empty()) {
-        fail(1, fmt::format("the line {}, expected a table saved as UTF-8", fault));
-        return false;
-      }
     line_ = next_line_ = 1;
     return true;
   }
@@ -219,18 +208,20 @@ class TextTableReader {
     return true;
   }
 
+  char separator_of_line(std::string_view line) const { return is_sheet_ ? '\t' : separator_of(line); }
+
   bool read_heads() {
     while (next_record() && without_blanks(record_).empty() && next_line_ <= source_->lines.size()) {
     }
-    const char named = form_ == TableForm::heads ? named_separator(record_) : '\0';
+    const char named = form_ == TableForm::heads && !is_sheet_ ? named_separator(record_) : '\0';
     if (named != '\0') next_record();
     if (form_ == TableForm::points && begins_with_number(record_)) {
       take_bare_columns();
       return true;
     }
-    separator_ = named != '\0' ? named : separator_of(record_);
+    separator_ = named != '\0' ? named : separator_of_line(record_);
     for (const auto& [name, head] : heads_)
-      if (without_blanks(record_) == head) separator_ = ',';  // one column, whose head has blanks
+      if (without_blanks(record_) == head && !is_sheet_) separator_ = ',';  // one column, whose head has blanks
     const std::vector<TableField> heads = fields_apart_by(separator_, record_);
     if (known_heads(heads) == 0)
       if (const std::size_t line = line_of_heads(); line > 0) {
@@ -270,7 +261,7 @@ class TextTableReader {
     constexpr std::size_t most = 100;
     for (std::size_t line = next_line_; line <= source_->lines.size() && line < next_line_ + most; ++line) {
       const std::string text = content(line);
-      if (known_heads(fields_apart_by(separator_of(text), text)) > 0) return line;
+      if (known_heads(fields_apart_by(separator_of_line(text), text)) > 0) return line;
     }
     return 0;
   }
@@ -286,7 +277,7 @@ class TextTableReader {
   /// The line is the first record, which is read next.
   void take_bare_columns() {
     is_bare_ = true;
-    separator_ = ' ';
+    separator_ = is_sheet_ ? '\t' : ' ';
     for (const TableColumn& column : columns_) use(column, {column.name, 1}, {{1, column.dimension}, ""});
     next_line_ = line_;
   }
@@ -365,7 +356,7 @@ class TextTableReader {
 
   void read_row() {
     const std::vector<TableField> fields =
-        is_bare_ ? bare_fields(record_, uses_.size()) : fields_apart_by(separator_, record_);
+        is_bare_ && !is_sheet_ ? bare_fields(record_, uses_.size()) : fields_apart_by(separator_, record_);
     if (std::all_of(fields.begin(), fields.end(), [](const TableField& f) { return f.text.empty(); })) return;
     if (fields.size() != uses_.size()) return fail(1, wrong_count(fields.size()));
     table_.lines_.push_back(static_cast<int>(line_));
@@ -492,7 +483,8 @@ class TextTableReader {
   const Node& where_;
   Diagnostics& diagnostics_;
   TableForm form_;
-  bool is_bare_ = false;  ///< without heads
+  bool is_bare_ = false;   ///< without heads
+  bool is_sheet_ = false;  ///< of a workbook
   std::shared_ptr<const Source> source_;
   TextTable table_;
   std::vector<Use> uses_;

@@ -1,5 +1,5 @@
 #pragma once
-// Tables in text files, one record a line: holes, rocks, measured places.
+// Tables in text files and sheets of workbooks, one record a line: holes, rocks, measured places.
 
 #include <map>
 #include <optional>
@@ -71,7 +71,7 @@ class TextTable {
   std::vector<std::string> known_;  ///< the columns that were asked for
 };
 
-/// Reads a table: a line of heads, then a record a line. Values are apart by commas, semicolons, tabs or
+/// Reads a table of a text file, or of a sheet (`holes.xlsx#Sheet`, document/workbook.h): a line of heads, then a record a line. Values are apart by commas, semicolons, tabs or
 /// blanks, whichever the heads are, and may stand in double quotes; except with commas 1,5 is 1.5, if no
 /// number of the table has a point. A head is the name of a column, or another name of it, alone (SI units)
 /// or with a unit (document/table_head.h); the order is free. `heads` gives other heads by name of column: {

@@ -109,12 +109,14 @@ bool opens_quote(std::string_view line) {
   return is_open;
 }
 
-std::string other_format(std::string_view begin) {
-  constexpr std::string_view old_workbook = "\xd0\xcf\x11\xe0";
-  if (begin.starts_with("PK") || begin.starts_with(old_workbook))
-    return "is a workbook (xlsx, xls, ods) or an archive, expected a table as text: save the sheet as CSV "
-           "UTF-8";
-  if (begin.starts_with("\xff\xfe") || begin.starts_with("\xfe\xff"))
+std::string other_format(std::string_view bytes) {
+  constexpr std::string_view compound_file = "\xd0\xcf\x11\xe0";
+  constexpr std::string_view encrypted_part("E\0n\0c\0r\0y\0p\0t\0e\0d\0P\0a\0c\0k\0a\0g\0e\0", 32);
+  if (bytes.starts_with(compound_file))
+    return bytes.find(encrypted_part) != bytes.npos
+               ? "is protected by a password: save it without one"
+               : "is a workbook of an old form (xls), expected .xlsx, .ods or CSV UTF-8: save it as one of these";
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
     return "is a text in UTF-16, expected UTF-8: save it as CSV UTF-8";
   return {};
 }

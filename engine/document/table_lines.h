@@ -33,7 +33,7 @@ std::vector<TableField> bare_fields(std::string_view line, std::size_t expected)
 /// Whether the last field of a line begins with a quote that the line does not close: it goes on in the next.
 bool opens_quote(std::string_view line);
 
-/// What a file is that begins like this and is no table in UTF-8, and what to do; empty if nothing says so.
-std::string other_format(std::string_view begin);
+/// What a file of these bytes is if it is no table in UTF-8, and what to do; empty if nothing says so.
+std::string other_format(std::string_view bytes);
 
 }  // namespace flyrock

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "document/workbook.h"
 #include "geometry/contactor.h"
 #include "geometry/plan_line.h"
 #include "geometry/plan_zone.h"
@@ -63,12 +64,13 @@ std::string file_fault(const std::filesystem::path& path, const std::string& nam
 Value normalise_file(DecodeContext& context, const Node& node, const ParamSpec& spec) {
   const std::string* name = node.value->text();
   if (!name || name->empty()) return refuse(context, node, spec);
-  const std::filesystem::path path = std::filesystem::path(context.folder) / *name;
-  if (const std::string fault = file_fault(path, *name); !fault.empty()) {
+  const std::string file = sheet_name(*name).file;
+  const std::filesystem::path path = std::filesystem::path(context.folder) / file;
+  if (const std::string fault = file_fault(path, file); !fault.empty()) {
     node.error(context.diagnostics, fault);
     return {};
   }
-  context.files[*name] = path.string();
+  context.files[file] = path.string();
   return text_value(*name);
 }
 

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "document/workbook.h"
 #include "document/yaml_reader.h"
 #include "scenario/normalise_params.h"
 #include "scenario/table_cells.h"
@@ -98,7 +99,7 @@ Value read_table_file(DecodeContext& context, const Node& node, const ParamSpec&
 
 Value read_records_file(DecodeContext& context, const Node& node, const ParamSpec& spec,
                         const NumberRules& rules) {
-  const std::string& name = *node.value->text();
+  const std::string name = sheet_name(*node.value->text()).file;
   const fs::path path = fs::path(context.folder) / name;
   std::error_code code;
   if (!fs::is_regular_file(path, code)) {
@@ -108,7 +109,7 @@ Value read_records_file(DecodeContext& context, const Node& node, const ParamSpe
   context.files[name] = path.string();
   const std::string ending = path.extension().string();
   if (ending == ".yaml" || ending == ".yml") return read_yaml_file(context, node, spec, path, rules);
-  return read_table_file(context, node, spec, path);
+  return read_table_file(context, node, spec, fs::path(context.folder) / *node.value->text());
 }
 
 }  // namespace

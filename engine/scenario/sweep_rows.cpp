@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 
 #include "document/node.h"
+#include "document/table_lines.h"
+#include "document/table_text.h"
+#include "document/workbook.h"
 #include "scenario/decode.h"
 #include "units/units.h"
 
@@ -17,27 +19,6 @@ namespace flyrock {
 namespace {
 
 constexpr std::size_t most_rows = 10'000;
-
-std::string without_blanks(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
-}
-
-std::vector<std::string> cells_of(std::string_view line, char separator) {
-  std::vector<std::string> cells(1);
-  bool is_quoted = false;
-  for (const char c : line) {
-    if (c == '"')
-      is_quoted = !is_quoted;
-    else if (c == separator && !is_quoted)
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  }
-  for (std::string& cell : cells) cell = without_blanks(cell);
-  return cells;
-}
 
 /// "blast.burden [m]": a path, and the unit of its bare numbers.
 struct Head {
@@ -48,7 +29,9 @@ Head head_of(const std::string& cell) {
   const std::size_t open = cell.find_first_of("[(");
   if (open == std::string::npos) return {cell, ""};
   const std::size_t close = std::min(cell.find_first_of("])", open), cell.size());
-  return {without_blanks(cell.substr(0, open)), without_blanks(cell.substr(open + 1, close - open - 1))};
+  const std::string_view text = cell;
+  return {std::string(without_blanks(text.substr(0, open))),
+          std::string(without_blanks(text.substr(open + 1, close - open - 1)))};
 }
 
 Value value_of_cell(const std::string& cell, const std::string& unit, const Location& at) {
@@ -66,32 +49,31 @@ Value value_of_cell(const std::string& cell, const std::string& unit, const Loca
 
 /// The rows of a table as a list of maps, as the scenario would write them.
 std::optional<List> read_rows_of_table(const Node& table, const std::string& file, Diagnostics& diagnostics) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    table.error(diagnostics, fmt::format("the file {} cannot be read", file));
+  TableText text;
+  try {
+    text = read_table_text(file);
+  } catch (const TableTextFault& fault) {
+    if (fault.source)
+      diagnostics.error({fault.source, fault.line, 1}, table.path, fault.what());
+    else
+      table.error(diagnostics, fault.what());
     return std::nullopt;
   }
-  auto source = std::make_shared<Source>();
-  source->name = *table.value->text();
-  for (std::string line; std::getline(stream, line);) source->lines.push_back(line);
+  const std::shared_ptr<const Source>& source = text.source;
   const std::size_t errors_before = diagnostics.errors_given();
   List rows;
   std::vector<Head> heads;
-  char separator = ',';
+  char separator = text.is_sheet ? '\t' : ',';
   for (std::size_t i = 0; i < source->lines.size(); ++i) {
     const std::string& line = source->lines[i];
     const Location at{source, static_cast<int>(i) + 1, 1};
     if (without_blanks(line).empty() || line.starts_with('#')) continue;
     if (heads.empty()) {
-      for (const char c : {';', '\t', ','})
-        if (line.find(c) != std::string::npos) {
-          separator = c;
-          break;
-        }
-      for (const std::string& cell : cells_of(line, separator)) heads.push_back(head_of(cell));
+      if (!text.is_sheet) separator = separator_of(line);
+      for (const TableField& cell : fields_apart_by(separator, line)) heads.push_back(head_of(cell.text));
       continue;
     }
-    const std::vector<std::string> cells = cells_of(line, separator);
+    const std::vector<TableField> cells = fields_apart_by(separator, line);
     if (cells.size() != heads.size()) {
       diagnostics.error(
           at, table.path,
@@ -100,7 +82,7 @@ std::optional<List> read_rows_of_table(const Node& table, const std::string& fil
     }
     Map row;
     for (std::size_t k = 0; k < cells.size(); ++k)
-      row.push_back({heads[k].path, at, value_of_cell(cells[k], heads[k].unit, at)});
+      row.push_back({heads[k].path, at, value_of_cell(cells[k].text, heads[k].unit, at)});
     Value value;
     value.at = at;
     value.data = std::move(row);
@@ -233,9 +215,11 @@ std::optional<SweepRows> read_sweep_rows(Value& root, const std::string& folder,
       table->error(diagnostics, "expected the name of a file");
       return std::nullopt;
     }
-    found.file = *table->value->text();
+    const std::string& name = *table->value->text();
+    found.file = sheet_name(name).file;
     found.path_of_file = (std::filesystem::path(folder) / found.file).string();
-    std::optional<List> read = read_rows_of_table(*table, found.path_of_file, diagnostics);
+    std::optional<List> read =
+        read_rows_of_table(*table, (std::filesystem::path(folder) / name).string(), diagnostics);
     if (!read) return std::nullopt;
     list.data = std::move(*read);
     list.at = table->value->at;
