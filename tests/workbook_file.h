@@ -52,9 +52,10 @@ inline Parts xlsx_parts(const Parts& sheets, const std::string& texts = "") {
   parts.emplace_back("xl/workbook.xml", "<workbook xmlns:r=\"r\"><sheets>" + names + "</sheets></workbook>");
   parts.emplace_back("xl/_rels/workbook.xml.rels", "<Relationships>" + links + "</Relationships>");
   parts.emplace_back("xl/sharedStrings.xml", "<sst>" + texts + "</sst>");
-  parts.emplace_back("xl/styles.xml",
-                     R"(<styleSheet><numFmts><numFmt numFmtId="164" formatCode="0.00&quot; m&quot;"/></numFmts>)"
-                     R"(<cellXfs><xf numFmtId="0"/><xf numFmtId="14"/><xf numFmtId="164"/></cellXfs></styleSheet>)");
+  parts.emplace_back(
+      "xl/styles.xml",
+      R"(<styleSheet><numFmts><numFmt numFmtId="164" formatCode="0.00&quot; m&quot;"/></numFmts>)"
+      R"(<cellXfs><xf numFmtId="0"/><xf numFmtId="14"/><xf numFmtId="164"/></cellXfs></styleSheet>)");
   return parts;
 }
 
@@ -67,9 +68,9 @@ inline std::string xlsx_row(const std::vector<std::string>& cells) {
   std::string row = "<row>";
   for (const std::string& cell : cells) {
     const bool is_number = !cell.empty() && cell.find_first_not_of("0123456789.-") == cell.npos;
-    row += cell.empty()  ? std::string("<c/>")
-           : is_number   ? "<c><v>" + cell + "</v></c>"
-                         : "<c t=\"inlineStr\"><is><t>" + cell + "</t></is></c>";
+    row += cell.empty() ? std::string("<c/>")
+           : is_number  ? "<c><v>" + cell + "</v></c>"
+                        : "<c t=\"inlineStr\"><is><t>" + cell + "</t></is></c>";
   }
   return row + "</row>";
 }
@@ -83,11 +84,12 @@ inline std::string xlsx_sheet(const std::vector<std::vector<std::string>>& rows)
 
 /// `tables`: elements table:table.
 inline std::string ods_of(const std::string& tables) {
-  return zip_of({{"mimetype", "application/vnd.oasis.opendocument.spreadsheet"},
-                 {"content.xml",
-                  "<office:document-content xmlns:office=\"o\" xmlns:table=\"t\" xmlns:text=\"x\"><office:body>"
-                  "<office:spreadsheet>" +
-                      tables + "</office:spreadsheet></office:body></office:document-content>"}});
+  return zip_of(
+      {{"mimetype", "application/vnd.oasis.opendocument.spreadsheet"},
+       {"content.xml",
+        "<office:document-content xmlns:office=\"o\" xmlns:table=\"t\" xmlns:text=\"x\"><office:body>"
+        "<office:spreadsheet>" +
+            tables + "</office:spreadsheet></office:body></office:document-content>"}});
 }
 
 }  // namespace workbooks

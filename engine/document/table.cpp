@@ -221,7 +221,8 @@ class TextTableReader {
     }
     separator_ = named != '\0' ? named : separator_of_line(record_);
     for (const auto& [name, head] : heads_)
-      if (without_blanks(record_) == head && !is_sheet_) separator_ = ',';  // one column, whose head has blanks
+      if (without_blanks(record_) == head && !is_sheet_)
+        separator_ = ',';  // one column, whose head has blanks
     const std::vector<TableField> heads = fields_apart_by(separator_, record_);
     if (known_heads(heads) == 0)
       if (const std::size_t line = line_of_heads(); line > 0) {

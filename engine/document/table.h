@@ -71,11 +71,12 @@ class TextTable {
   std::vector<std::string> known_;  ///< the columns that were asked for
 };
 
-/// Reads a table of a text file, or of a sheet (`holes.xlsx#Sheet`, document/workbook.h): a line of heads, then a record a line. Values are apart by commas, semicolons, tabs or
-/// blanks, whichever the heads are, and may stand in double quotes; except with commas 1,5 is 1.5, if no
-/// number of the table has a point. A head is the name of a column, or another name of it, alone (SI units)
-/// or with a unit (document/table_head.h); the order is free. `heads` gives other heads by name of column: {
-/// "mass": "weight_t" }. An empty cell is a value that is not there, and a row of empty cells is none.
+/// Reads a table of a text file, or of a sheet (`holes.xlsx#Sheet`, document/workbook.h): a line of heads,
+/// then a record a line. Values are apart by commas, semicolons, tabs or blanks, whichever the heads are, and
+/// may stand in double quotes; except with commas 1,5 is 1.5, if no number of the table has a point. A head
+/// is the name of a column, or another name of it, alone (SI units) or with a unit (document/table_head.h);
+/// the order is free. `heads` gives other heads by name of column: { "mass": "weight_t" }. An empty cell is a
+/// value that is not there, and a row of empty cells is none.
 ///
 /// What may mean something else is an error: a head that begins with a name and goes on with what is no unit;
 /// a first line without a known head but a name; times and angles without a unit; two decimal signs; a row

@@ -113,9 +113,9 @@ std::string other_format(std::string_view bytes) {
   constexpr std::string_view compound_file = "\xd0\xcf\x11\xe0";
   constexpr std::string_view encrypted_part("E\0n\0c\0r\0y\0p\0t\0e\0d\0P\0a\0c\0k\0a\0g\0e\0", 32);
   if (bytes.starts_with(compound_file))
-    return bytes.find(encrypted_part) != bytes.npos
-               ? "is protected by a password: save it without one"
-               : "is a workbook of an old form (xls), expected .xlsx, .ods or CSV UTF-8: save it as one of these";
+    return bytes.find(encrypted_part) != bytes.npos ? "is protected by a password: save it without one"
+                                                    : "is a workbook of an old form (xls), expected .xlsx, "
+                                                      ".ods or CSV UTF-8: save it as one of these";
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
     return "is a text in UTF-16, expected UTF-8: save it as CSV UTF-8";
   return {};

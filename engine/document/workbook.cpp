@@ -61,7 +61,8 @@ class Cells {
       throw WorkbookFault(0, fmt::format("has a cell in row {} and column {}, expected at most {} and {}",
                                          row + 1, column + 1, most_rows, most_columns));
     if (++count_ > most_cells)
-      throw WorkbookFault(0, fmt::format("has a sheet of more than {} cells: save it as CSV UTF-8", most_cells));
+      throw WorkbookFault(0,
+                          fmt::format("has a sheet of more than {} cells: save it as CSV UTF-8", most_cells));
     if (row >= rows_.size()) rows_.resize(row + 1);
     rows_[row][column] = std::move(text);
     width_ = std::max(width_, column + 1);
@@ -73,9 +74,10 @@ class Cells {
 
   std::vector<std::string> lines() const {
     if (rows_.size() * width_ > 20 * most_cells)
-      throw WorkbookFault(0, fmt::format("has a sheet whose values lie in {} rows and {} columns, most of them "
-                                         "empty: save the table alone",
-                                         rows_.size(), width_));
+      throw WorkbookFault(0,
+                          fmt::format("has a sheet whose values lie in {} rows and {} columns, most of them "
+                                      "empty: save the table alone",
+                                      rows_.size(), width_));
     std::vector<std::string> result;
     for (const auto& row : rows_) {
       std::string& line = result.emplace_back();
@@ -183,8 +185,7 @@ std::string date_text(double days, bool from_1904) {
   if (!(days >= 0 && days < last_day)) return fmt::format("date {}", days);
   const auto whole = static_cast<int>(std::floor(days + 0.5 / 86400));
   const long seconds = std::max(std::lround((days - whole) * 86400), 0L);
-  const std::string time =
-      fmt::format("{:02}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
+  const std::string time = fmt::format("{:02}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
   if (whole == 0 && !from_1904) return time;
   const sys_days origin = from_1904 ? sys_days(year(1904) / 1 / 1) : sys_days(year(1899) / 12 / 30);
   const year_month_day date(origin + std::chrono::days(whole));
@@ -211,7 +212,8 @@ class Xlsx {
     const std::map<std::string, std::string> parts = links_of(book);
     const auto part = parts.find(links[index]);
     if (part == parts.end())
-      throw WorkbookFault(0, fmt::format("is damaged: the sheet `{}` has no part", printable(names[index], 60)));
+      throw WorkbookFault(0,
+                          fmt::format("is damaged: the sheet `{}` has no part", printable(names[index], 60)));
     const std::string beside = book.substr(0, book.rfind('/') + 1);
     read_texts(beside + "sharedStrings.xml");
     read_styles(beside + "styles.xml");

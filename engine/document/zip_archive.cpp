@@ -35,7 +35,8 @@ std::string inflated(std::string_view packed, std::size_t size) {
 ZipArchive::ZipArchive(std::string_view bytes) : bytes_(bytes) {
   constexpr std::size_t longest_comment = 0xffff;
   std::size_t end = bytes.npos;
-  for (std::size_t back = bytes_of_end; back <= std::min(bytes.size(), bytes_of_end + longest_comment); ++back)
+  for (std::size_t back = bytes_of_end; back <= std::min(bytes.size(), bytes_of_end + longest_comment);
+       ++back)
     if (number(bytes.size() - back, 4) == signature_of_end) {
       end = bytes.size() - back;
       break;
@@ -49,13 +50,12 @@ ZipArchive::ZipArchive(std::string_view bytes) : bytes_(bytes) {
     const std::size_t name = number(at + 28, 2), extra = number(at + 30, 2), comment = number(at + 32, 2);
     if (at + bytes_of_entry + name > bytes.size())
       throw ZipFault("is damaged: the list of its parts is not whole, copy or save it again");
-    members_[std::string(bytes.substr(at + bytes_of_entry, name))] = {
-        .flags = number(at + 8, 2),
-        .method = number(at + 10, 2),
-        .checksum = number(at + 16, 4),
-        .packed = number(at + 20, 4),
-        .unpacked = number(at + 24, 4),
-        .at = number(at + 42, 4)};
+    members_[std::string(bytes.substr(at + bytes_of_entry, name))] = {.flags = number(at + 8, 2),
+                                                                      .method = number(at + 10, 2),
+                                                                      .checksum = number(at + 16, 4),
+                                                                      .packed = number(at + 20, 4),
+                                                                      .unpacked = number(at + 24, 4),
+                                                                      .at = number(at + 42, 4)};
     at += bytes_of_entry + name + extra + comment;
   }
 }
@@ -71,22 +71,24 @@ std::string ZipArchive::read(std::string_view name) const {
   const auto found = members_.find(name);
   if (found == members_.end()) throw ZipFault(fmt::format("has no part `{}`: it is no workbook", name));
   const Member& member = found->second;
-  if ((member.flags & encrypted_flag) != 0)
-    throw ZipFault("is protected by a password: save it without one");
+  if ((member.flags & encrypted_flag) != 0) throw ZipFault("is protected by a password: save it without one");
   if (member.unpacked > most_bytes)
-    throw ZipFault(fmt::format("has a part of {} MiB when it is unpacked, expected at most {}: save the sheet "
-                               "as CSV UTF-8",
-                               member.unpacked >> 20, most_bytes >> 20));
+    throw ZipFault(
+        fmt::format("has a part of {} MiB when it is unpacked, expected at most {}: save the sheet "
+                    "as CSV UTF-8",
+                    member.unpacked >> 20, most_bytes >> 20));
   const std::size_t begin =
       member.at + bytes_of_member + number(member.at + 26, 2) + number(member.at + 28, 2);
   if (number(member.at, 4) != signature_of_member || begin > bytes_.size() ||
       member.packed > bytes_.size() - begin)
     throw ZipFault("is cut or damaged: a part of it is missing, copy or save it again");
   if (member.method != is_stored && member.method != is_deflated)
-    throw ZipFault(fmt::format("is packed by method {} of zip, expected deflate: save it again", member.method));
+    throw ZipFault(
+        fmt::format("is packed by method {} of zip, expected deflate: save it again", member.method));
   const std::string_view packed = bytes_.substr(begin, member.packed);
   std::string content = member.method == is_stored ? std::string(packed) : inflated(packed, member.unpacked);
-  const auto checksum = crc32(0, reinterpret_cast<const Bytef*>(content.data()), static_cast<uInt>(content.size()));
+  const auto checksum =
+      crc32(0, reinterpret_cast<const Bytef*>(content.data()), static_cast<uInt>(content.size()));
   if (checksum != member.checksum) throw ZipFault("is damaged: a checksum is wrong, copy or save it again");
   return content;
 }

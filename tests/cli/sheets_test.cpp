@@ -12,10 +12,11 @@ namespace {
 using namespace flyrock::test;
 using namespace workbooks;
 
-const std::vector<std::vector<std::string>> hole_rows = {{"Hole ID", "x (m)", "y (m)", "Burden (m)", "delay_ms"},
-                                                         {"1", "0", "0", "3", "0"},
-                                                         {"2", "0", "3.2", "2.9", "17"},
-                                                         {"3", "0", "6.4", "1.9", "34"}};
+const std::vector<std::vector<std::string>> hole_rows = {
+    {"Hole ID", "x (m)", "y (m)", "Burden (m)", "delay_ms"},
+    {"1", "0", "0", "3", "0"},
+    {"2", "0", "3.2", "2.9", "17"},
+    {"3", "0", "6.4", "1.9", "34"}};
 
 std::string csv_of(const std::vector<std::vector<std::string>>& rows) {
   std::string text;
@@ -28,7 +29,8 @@ std::string ods_sheet(const std::string& name, const std::vector<std::vector<std
   for (const auto& row : rows) {
     table += "<table:table-row>";
     for (const std::string& cell : row)
-      table += "<table:table-cell office:value-type=\"string\"><text:p>" + cell + "</text:p></table:table-cell>";
+      table +=
+          "<table:table-cell office:value-type=\"string\"><text:p>" + cell + "</text:p></table:table-cell>";
     table += "</table:table-row>";
   }
   return table + "</table:table>";
@@ -52,13 +54,16 @@ std::string scenario(const std::string& holes, const std::string& terrain = "poi
 TEST_CASE("holes, profiles and points of a sweep say the same as sheets and as CSV") {
   const Folder folder;
   const std::vector<std::vector<std::string>> section = {{"x", "height"}, {"-200", "0.5"}, {"900", "0"}};
-  const std::vector<std::vector<std::string>> designs = {{"label", "blast.hole.diameter [mm]"}, {"a", "102"}, {"b", "89"}};
+  const std::vector<std::vector<std::string>> designs = {
+      {"label", "blast.hole.diameter [mm]"}, {"a", "102"}, {"b", "89"}};
   folder.write("holes.csv", csv_of(hole_rows));
   folder.write("section.csv", csv_of(section));
   folder.write("designs.csv", csv_of(designs));
-  const Parts sheets = {{"Holes", xlsx_sheet(hole_rows)}, {"A", xlsx_sheet(section)}, {"Designs", xlsx_sheet(designs)}};
+  const Parts sheets = {
+      {"Holes", xlsx_sheet(hole_rows)}, {"A", xlsx_sheet(section)}, {"Designs", xlsx_sheet(designs)}};
   folder.write("pit.xlsx", xlsx_of(sheets));
-  folder.write("pit.ods", ods_of(ods_sheet("Holes", hole_rows) + ods_sheet("A", section) + ods_sheet("Designs", designs)));
+  folder.write("pit.ods", ods_of(ods_sheet("Holes", hole_rows) + ods_sheet("A", section) +
+                                 ods_sheet("Designs", designs)));
   folder.write("csv.yaml", scenario("holes.csv", "file: section.csv", "sweep: { table: designs.csv }\n"));
   REQUIRE(call(folder, "run csv.yaml --quiet -o csv").code == 0);
   for (const std::string kind : {"xlsx", "ods"}) {
@@ -102,7 +107,8 @@ TEST_CASE("a workbook outside of the folder is refused by --confined") {
   CHECK(call(folder, "check inner/s.yaml").code == 0);
   const Output confined = call(folder, "check --confined inner/s.yaml");
   CHECK(confined.code == 2);
-  CHECK(confined.err.find("is outside of the scenario's folder, which --confined refuses") != std::string::npos);
+  CHECK(confined.err.find("is outside of the scenario's folder, which --confined refuses") !=
+        std::string::npos);
 }
 
 }  // namespace flyrock::sheets_test

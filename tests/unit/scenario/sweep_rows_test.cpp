@@ -112,7 +112,8 @@ TEST_CASE("rows that fit nowhere are errors at their place") {
   CHECK(said("[]").find("has 0 rows") != std::string::npos);
   CHECK(said("[{ blast.burden: { sweep: [1, 2] } }]").find("stands inside a row of a sweep") !=
         std::string::npos);
-  CHECK(load(blast + "sweep: { table: none.csv }\n").messages.find("cannot read the file") != std::string::npos);
+  CHECK(load(blast + "sweep: { table: none.csv }\n").messages.find("cannot read the file") !=
+        std::string::npos);
   CHECK(load(blast + "sweep: { table: points.csv }\n", "blast.burden,gravity\n2\n")
             .messages.find("points.csv:2:1: error: sweep.table: has 1 values, expected 2") !=
         std::string::npos);
