@@ -12,6 +12,7 @@
 #include "document/wording.h"
 #include "report/export_asc.h"
 #include "report/export_csv.h"
+#include "report/export_dxf.h"
 #include "report/export_geojson.h"
 #include "report/export_obj.h"
 #include "report/export_vtk.h"
@@ -90,9 +91,10 @@ constexpr const char* no_maps =
 
 constexpr const char* no_plan = "this result has no places in plan (only runs in 3D do)";
 
-constexpr std::array<Format, 7> formats = {{
+constexpr std::array<Format, 8> formats = {{
     {"asc", export_asc, no_maps},
     {"csv", export_csv, ""},
+    {"dxf", export_dxf, "this result has no places"},
     {"geojson", export_geojson, no_plan},
     {"gpkg", export_gpkg, no_plan, "ogr2ogr", "geojson", "the same layers"},
     {"obj", export_obj, "this result has no blocks between joints"},
@@ -119,9 +121,9 @@ const Format& format_of(const std::string& name) {
 int export_result(const Command& command, const Arguments& arguments) {
   po::options_description options("options");
   options.add_options()(
-      "to", po::value<std::string>()->value_name("csv|vtk|obj|geojson|gpkg|asc|tif"),
-      "csv (every table), vtk (trajectories, for ParaView), obj (blocks between joints); for a GIS: geojson "
-      "or gpkg (paths, "
+      "to", po::value<std::string>()->value_name("csv|vtk|obj|dxf|geojson|gpkg|asc|tif"),
+      "csv (every table), vtk (trajectories, for ParaView), obj (blocks between joints), dxf (paths, "
+      "ends, area; in 2D a section with envelopes); for a GIS: geojson or gpkg (paths, "
       "ends, gates, barriers, trees, zones, area), asc or tif (maps); gpkg and tif need GDAL; "
       "required")("output,o", po::value<std::string>()->value_name("FILE|DIR"),
                   "folder of the files; default DIR/<format>")(

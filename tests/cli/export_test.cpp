@@ -314,9 +314,9 @@ TEST_CASE("An export says which formats there are and which folders are results"
   refused("export r --to vtx", "--to: unknown format `vtx`, did you mean `vtk`?");
   refused(
       "export r --to shapefile",
-      "--to: unknown format `shapefile`, expected `asc`, `csv`, `geojson`, `gpkg`, `obj`, `tif` or `vtk`");
+      "--to: unknown format `shapefile`, expected `asc`, `csv`, `dxf`, `geojson`, `gpkg`, `obj`, `tif` or `vtk`");
   refused("export r",
-          "expected --to FORMAT: flyrock export DIR --to csv|vtk|obj|geojson|gpkg|asc|tif [-o PATH]");
+          "expected --to FORMAT: flyrock export DIR --to csv|vtk|obj|dxf|geojson|gpkg|asc|tif [-o PATH]");
   refused("export nowhere --to csv", "nowhere is not a result folder: it has no manifest.json");
   refused("report s.yaml", "s.yaml is not a result folder");
   CHECK(call(folder, "run s.yaml --shard 1/2 --quiet -o half").code == 0);
@@ -566,4 +566,86 @@ TEST_CASE("Maps have the same bytes after a resume and by any number of threads"
   CHECK(maps("one").size() > 100);
   CHECK(maps("one") == maps("three"));
   CHECK(maps("one") == maps("merged"));
+}
+
+namespace dxf_export_test {
+
+/// The groups of a DXF file: code and value.
+std::vector<std::pair<int, std::string>> groups_of(const fs::path& file) {
+  std::istringstream lines(read(file));
+  std::vector<std::pair<int, std::string>> groups;
+  for (std::string code, value; std::getline(lines, code) && std::getline(lines, value);)
+    groups.emplace_back(std::stoi(code), value);
+  return groups;
+}
+
+/// The places of each polyline of a layer.
+std::vector<std::vector<Eigen::Vector3d>> lines_of(const fs::path& file, const std::string& layer) {
+  std::vector<std::vector<Eigen::Vector3d>> lines;
+  std::string entity;
+  bool is_here = false;
+  for (const auto& [code, value] : groups_of(file)) {
+    if (code == 0) entity = value;
+    if (code == 8) {
+      is_here = value == layer;
+      if (is_here && entity == "POLYLINE") lines.emplace_back();
+      if (is_here && entity == "VERTEX") lines.back().emplace_back();
+    }
+    if (is_here && entity == "VERTEX" && code >= 10 && code <= 30 && code % 10 == 0)
+      lines.back().back()[code / 10 - 1] = std::stod(value);
+  }
+  return lines;
+}
+
+}  // namespace dxf_export_test
+
+TEST_CASE("A section as a drawing: the paths that are stored, the ground, envelopes above it") {
+  using namespace dxf_export_test;
+  const Folder folder;
+  folder.write("s.yaml", fenced());
+  REQUIRE(call(folder, "run s.yaml -o r --quiet").code == 0);
+  const Output made = call(folder, "export r --to dxf");
+  INFO(made.err);
+  CHECK(made.out == "r/dxf/results-p0.dxf\nr/dxf/results-p1.dxf\n");
+  const fs::path drawing = folder.path() / "r/dxf/results-p1.dxf", db = folder.path() / "r/results.db";
+  const auto groups = groups_of(drawing);
+  REQUIRE(groups.size() > 10);
+  CHECK(groups[3] == std::pair<int, std::string>(1, "AC1009"));
+  CHECK(groups.back() == std::pair<int, std::string>(0, "EOF"));
+  const auto paths = lines_of(drawing, "PATHS");
+  REQUIRE(std::to_string(paths.size()) ==
+          query(db, "SELECT count(*) FROM (SELECT DISTINCT trial, rock FROM trajectories WHERE point = 1)")[0]);
+  CHECK(std::to_string(paths[0].size()) ==
+        query(db, "SELECT count(*) FROM trajectories WHERE point = 1 AND trial = 0 AND rock = 0")[0]);
+  const auto last = numbers_in(query(db, "SELECT stop_x_m, stop_y_m FROM rocks WHERE point = 1 LIMIT 1")[0]);
+  CHECK((paths[0].back() - Eigen::Vector3d(last[0], last[1], 0)).norm() < 1e-9);
+  CHECK(std::to_string(lines_of(drawing, "GROUND").at(0).size()) ==
+        query(db, "SELECT count(*) FROM ground WHERE point = 1")[0]);
+  CHECK(lines_of(drawing, "BARRIERS").at(0).at(1).y() - lines_of(drawing, "BARRIERS").at(0).at(0).y() == 3.0);
+  std::size_t places = 0;
+  double greatest = 0, highest = 0;
+  for (const auto& line : lines_of(drawing, "ENVELOPE_MAX")) {
+    places += line.size();
+    for (const auto& place : line) greatest = std::max(greatest, place.y());
+  }
+  for (const auto& path : paths)
+    for (const auto& place : path) highest = std::max(highest, place.y());
+  CHECK(std::to_string(places) ==
+        query(db, "SELECT count(*) FROM envelopes WHERE point = 1 AND \"group\" = ''")[0]);
+  CHECK(greatest == Catch::Detail::Approx(highest).epsilon(0.03));
+}
+
+TEST_CASE("A plan as a drawing has the layers of a GIS, with the same places") {
+  using namespace dxf_export_test;
+  const Folder folder;
+  std::string thrown_at_fence = thrown + "barriers: [{ name: fence, line: [[5, -5], [6, 12]], height: 3, capacity: 5 kJ }]\n";
+  folder.write("s.yaml", thrown_at_fence);
+  REQUIRE(call(folder, "run s.yaml -o r --quiet").code == 0);
+  REQUIRE(call(folder, "export r --to dxf -o drawing").code == 0);
+  const fs::path drawing = folder.path() / "drawing/results-p0.dxf";
+  CHECK(lines_of(drawing, "PATHS").size() == 3);
+  const auto fence = lines_of(drawing, "BARRIERS");
+  REQUIRE(fence.size() == 1);
+  CHECK(fence[0] == std::vector<Eigen::Vector3d>{{5, -5, 0}, {6, 12, 0}});
+  CHECK(std::distance(fs::directory_iterator(folder.path() / "drawing"), fs::directory_iterator()) == 1);
 }
