@@ -12,7 +12,8 @@ namespace {
 
 /// The three coordinates of a place: groups `10`, `20`, `30`.
 std::string groups_of(const Vec3& place) {
-  return fmt::format("10\n{}\n20\n{}\n30\n{}\n", shortest(place.x()), shortest(place.y()), shortest(place.z()));
+  return fmt::format("10\n{}\n20\n{}\n30\n{}\n", shortest(place.x()), shortest(place.y()),
+                     shortest(place.z()));
 }
 
 }  // namespace
@@ -35,7 +36,8 @@ void DxfFile::add_point(const std::string& layer, const Vec3& place) {
 void DxfFile::add_line(const std::string& layer, std::span<const Vec3> places, bool is_closed) {
   constexpr int closed_flag = 1, in_3d_flag = 8, vertex_in_3d_flag = 32;
   begin("POLYLINE", layer);
-  entities_ += fmt::format("66\n1\n70\n{}\n{}", in_3d_flag | (is_closed ? closed_flag : 0), groups_of(Vec3::Zero()));
+  entities_ +=
+      fmt::format("66\n1\n70\n{}\n{}", in_3d_flag | (is_closed ? closed_flag : 0), groups_of(Vec3::Zero()));
   for (const Vec3& place : places) {
     begin("VERTEX", layer);
     add_place(place);

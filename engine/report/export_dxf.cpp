@@ -166,7 +166,8 @@ class Section {
   DxfFile drawing_;
 };
 
-std::vector<fs::path> write_sections(const SqliteReader& database, const Json& points, const fs::path& folder) {
+std::vector<fs::path> write_sections(const SqliteReader& database, const Json& points,
+                                     const fs::path& folder) {
   make_folder(folder);
   StoredPaths stored(database);
   std::vector<StoredPath> paths = stored.next_point();

@@ -312,9 +312,9 @@ TEST_CASE("An export says which formats there are and which folders are results"
     CHECK(output.err.find(text) != std::string::npos);
   };
   refused("export r --to vtx", "--to: unknown format `vtx`, did you mean `vtk`?");
-  refused(
-      "export r --to shapefile",
-      "--to: unknown format `shapefile`, expected `asc`, `csv`, `dxf`, `geojson`, `gpkg`, `obj`, `tif` or `vtk`");
+  refused("export r --to shapefile",
+          "--to: unknown format `shapefile`, expected `asc`, `csv`, `dxf`, `geojson`, `gpkg`, `obj`, `tif` "
+          "or `vtk`");
   refused("export r",
           "expected --to FORMAT: flyrock export DIR --to csv|vtk|obj|dxf|geojson|gpkg|asc|tif [-o PATH]");
   refused("export nowhere --to csv", "nowhere is not a result folder: it has no manifest.json");
@@ -613,8 +613,9 @@ TEST_CASE("A section as a drawing: the paths that are stored, the ground, envelo
   CHECK(groups[3] == std::pair<int, std::string>(1, "AC1009"));
   CHECK(groups.back() == std::pair<int, std::string>(0, "EOF"));
   const auto paths = lines_of(drawing, "PATHS");
-  REQUIRE(std::to_string(paths.size()) ==
-          query(db, "SELECT count(*) FROM (SELECT DISTINCT trial, rock FROM trajectories WHERE point = 1)")[0]);
+  REQUIRE(
+      std::to_string(paths.size()) ==
+      query(db, "SELECT count(*) FROM (SELECT DISTINCT trial, rock FROM trajectories WHERE point = 1)")[0]);
   CHECK(std::to_string(paths[0].size()) ==
         query(db, "SELECT count(*) FROM trajectories WHERE point = 1 AND trial = 0 AND rock = 0")[0]);
   const auto last = numbers_in(query(db, "SELECT stop_x_m, stop_y_m FROM rocks WHERE point = 1 LIMIT 1")[0]);
@@ -638,7 +639,8 @@ TEST_CASE("A section as a drawing: the paths that are stored, the ground, envelo
 TEST_CASE("A plan as a drawing has the layers of a GIS, with the same places") {
   using namespace dxf_export_test;
   const Folder folder;
-  std::string thrown_at_fence = thrown + "barriers: [{ name: fence, line: [[5, -5], [6, 12]], height: 3, capacity: 5 kJ }]\n";
+  std::string thrown_at_fence =
+      thrown + "barriers: [{ name: fence, line: [[5, -5], [6, 12]], height: 3, capacity: 5 kJ }]\n";
   folder.write("s.yaml", thrown_at_fence);
   REQUIRE(call(folder, "run s.yaml -o r --quiet").code == 0);
   REQUIRE(call(folder, "export r --to dxf -o drawing").code == 0);
