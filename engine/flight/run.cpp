@@ -64,7 +64,8 @@ class Runner {
     energy_ = world_.total_energy();
     progress_.begin(world_);
     world_.choose_density();
-    bool in_contact = settings_.exact_flight && !world_.deforms() && collide();
+    // A deformable block that touches at the start has no impact, and a flight would pass what it touches.
+    bool in_contact = settings_.exact_flight && (world_.deforms() || collide());
     while (anybody() && has_time()) {
       if (settings_.interrupted()) throw Interrupted();
       if (progress_.stands_still(world_)) {

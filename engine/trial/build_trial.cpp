@@ -375,10 +375,9 @@ void TrialBuilder<D>::deform(const BodyPlan& plan, const std::string& path, cons
     if (!plan.density)
       throw ScenarioError(path + "mass", "a deformable body needs its `density` in place of its mass");
     if (!scenario_.solver.time_step)
-      throw ScenarioError(
-          "solver.time_step",
-          "is `auto`, and a deformable body takes steps of one length, expected a time: about "
-          "the size of a cell divided by the speed of sound");
+      throw ScenarioError(path + "shape",
+                          "is deformable and takes steps of one length, expected a `solver.time_step`: about "
+                          "the size of a cell divided by the speed of sound sqrt(young/density)");
     if (scenario_.body_contacts && world.deforms())
       throw ScenarioError(path + "shape",
                           "two deformable bodies that may meet are not possible yet; `body_contacts: off` "

@@ -256,13 +256,19 @@ double World<D>::gap_of_solver(const Contact& contact) const {
 }
 
 /// Keeps the contacts that are closed now: those with a gap below touch plus a share of the size, and those
-/// carried over from the last step. A node of a deformable block touches when its gap is not
-/// positive, apart from rounding, and from what the solver leaves of the speed of one that is held.
+/// carried over from the last step. A node of a deformable block touches when its gap is not positive, apart
+/// from rounding. One that was pushed is held while its gap is what the solver may have left of its speed:
+/// without the force it would jump.
 template <int D>
 void World<D>::keep_closed(double share_of_size) {
   constexpr double rounding = 1e-14;  // m
+  const auto gap_of_held_node = [&](const Contact& c) {
+    if (!c.carried) return rounding;
+    return c.impulse[0] > 0 ? carry_share * contact_size(c.candidate, c.antagonist)
+                            : touch(c.candidate, c.antagonist);
+  };
   std::erase_if(contacts_, [&](const Contact& c) {
-    if (deforms(c)) return c.at.gap > (c.carried ? touch(c.candidate, c.antagonist) : rounding);
+    if (deforms(c)) return c.at.gap > gap_of_held_node(c);
     const double size = contact_size(c.candidate, c.antagonist);
     const double closed = 1e-12 + std::max((1e-9 + share_of_size) * size, gap_of_solver(c));
     return c.at.gap > (c.carried ? carry_reach(c.candidate, c.antagonist) : closed);

@@ -159,6 +159,7 @@ void World<D>::find_pressed() {
     double mass = 0, greatest = 0, work = 0, work_in_all = 0;
     for (const Body<D>& body : bodies) mass += body.moves() ? body.mass : 0;
     for (std::size_t k = 0; k < count; ++k) {
+      if (!is_rigid(contacts_[k])) continue;
       fastest = std::max(fastest, contacts_[k].approach());
       greatest = std::max(greatest, impulses_[k][0]);
       work += impulses_[k][0] * driven_approach(k)[0];
@@ -167,7 +168,8 @@ void World<D>::find_pressed() {
     if (greatest > boundless * mass * fastest && work > missed_share * work_in_all)
       for (std::size_t k = 0; k < count; ++k)
         for (const int i : {contacts_[k].candidate, contacts_[k].antagonist})
-          if (impulses_[k][0] > 1e-3 * greatest && i >= 0 && first[i] >= 0) pressed_.push_back(i);
+          if (is_rigid(contacts_[k]) && impulses_[k][0] > 1e-3 * greatest && i >= 0 && first[i] >= 0)
+            pressed_.push_back(i);
   }
   std::sort(pressed_.begin(), pressed_.end());
   pressed_.erase(std::unique(pressed_.begin(), pressed_.end()), pressed_.end());

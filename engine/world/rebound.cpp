@@ -230,11 +230,13 @@ void World<D>::record_impacts() {
 
 /// Whether contact a counts as closed after an impact or a step of length `duration` [s]. A contact with
 /// restitution opens at any positive speed. Any other contact opens only above g h / 2. A slower contact
-/// would close again within one step, and a rocking block would never come to rest.
+/// would close again within one step, and a rocking block would never come to rest. A node of a deformable
+/// block that was pushed stays, whatever the solver leaves of its speed: without the force it would jump.
 template <int D>
 bool World<D>::stays_closed(int a, double duration) const {
   const Contact& contact = contacts_[a];
   const double speed = after_[a][0];
+  if (deforms(contact) && contact.impulse[0] > 0) return true;
   // A spring opens if its gap is positive at the end of the step.
   if (contact.law.condition == NormalCondition::penalty)
     return speed <= 0 || contact.at.gap + contact.born + settings_.theta * duration * speed <= 0;

@@ -17,7 +17,7 @@ constexpr double young = 50e9, density = 2700;
 const double sound = std::sqrt(young / density);
 
 struct Rock {
-  double poisson = 0.25, alpha = 0, beta = 0, stiffness = young;
+  double poisson = 0.25, alpha = 0, beta = 0, theta = 0.5, stiffness = young;
   int cells = 10;
 };
 
@@ -32,7 +32,7 @@ Body<2> square(const Rock& rock, double h, const Vec2& at, double angle = 0) {
                                  .beta = rock.beta};
   make_deformable(body,
                   std::make_shared<const ElasticBlock>(crossed_rectangle({1, 1}, {rock.cells, rock.cells}),
-                                                       material, h, 0.5),
+                                                       material, h, rock.theta),
                   std::nullopt);
   body.move_to(at, angle);
   return body;
@@ -153,6 +153,19 @@ TEST_CASE(
     high = std::max(high, node.points.front().y());
   }
   CHECK(1 - (high - low) == Approx(density * 9.81 / (2 * young)).epsilon(0.01));
+}
+
+TEST_CASE("a run of a deformable block that stands on the ground leaves it there") {
+  for (const double theta : {0.5, 0.6}) {
+    WorldSettings settings = steps_of(1e-3);
+    settings.theta = theta;
+    Material material(0.4, 0.5);
+    Bench bench(ground(5), material, settings);
+    bench.add(square({.beta = 1e-5, .theta = theta, .cells = 6}, 1e-3, {-3, 0.5}));
+    bench.run_settings.stop_speed = 0;
+    bench.run(0.2);
+    CHECK((bench.world.bodies[0].x - Vec2(-3, 0.5)).norm() < 1e-6);
+  }
 }
 
 TEST_CASE("a deformable block on an incline slides and sticks as a rigid one does") {
