@@ -58,12 +58,14 @@ TEST_CASE("check says how deformable blocks touch, and warns of long steps and o
   CHECK(fine.code == 0);
   CHECK(fine.err.empty());
   CHECK(fine.out.find("e_n = e_t = 0 at its contacts, whatever the material says") != std::string::npos);
-  const Output coarse = call(folder, "check s.yaml --set solver.time_step=1ms --set bodies.0.shape.young=50GPa "
-                                     "--set bodies.0.shape.poisson=0.42");
+  const Output coarse = call(folder,
+                             "check s.yaml --set solver.time_step=1ms --set bodies.0.shape.young=50GPa "
+                             "--set bodies.0.shape.poisson=0.42");
   INFO(coarse.err);
   CHECK(coarse.code == 0);
-  CHECK(coarse.err.find("the rebound of `block` is numerical, not by waves: time_step 0.001 s is 7.2 transits of "
-                        "sound, expected at most 0.1") != std::string::npos);
+  CHECK(coarse.err.find(
+            "the rebound of `block` is numerical, not by waves: time_step 0.001 s is 7.2 transits of "
+            "sound, expected at most 0.1") != std::string::npos);
   CHECK(coarse.err.find("bodies.0.shape.poisson: 0.42 is unusual, expected 0 to 0.4") != std::string::npos);
 }
 

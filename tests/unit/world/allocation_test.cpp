@@ -93,10 +93,11 @@ TEST_CASE("the step of a deformable block allocates nothing once its nodes have 
   settings.time_step = h;
   Material material(0, 0.5);
   Bench bench(ground(5), material, settings);
-  Body<2> block = make_body({Contactor2::polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})},
-                            density, 0, 1);
+  Body<2> block =
+      make_body({Contactor2::polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})}, density, 0, 1);
   const ElasticMaterial rock{.young = young, .poisson = 0.25, .density = density, .beta = 1e-5};
-  make_deformable(block, std::make_shared<const ElasticBlock>(crossed_rectangle({1, 1}, {6, 6}), rock, h, 0.5),
+  make_deformable(block,
+                  std::make_shared<const ElasticBlock>(crossed_rectangle({1, 1}, {6, 6}), rock, h, 0.5),
                   std::nullopt);
   block.move_to({0, 0.5}, 0);
   bench.add(std::move(block));
