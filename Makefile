@@ -36,6 +36,7 @@ help:
 	@echo "make picture   write the picture of the README: the top of the report that make demo writes"
 	@echo "make notebooks   write the labs of the course as Jupyter notebooks into out/notebooks, and execute them"
 	@echo "make site   write the pages as a web site into out/site"
+	@echo "make release   archive, packages, site and their checksums, into out/release"
 	@echo "make archive   pack flyrock with all that it needs for other and older systems, into out/archive"
 	@echo "make deb    write Debian packages into out/deb"
 	@echo "make format lay out the sources as .clang-format says, which a test checks"
@@ -113,6 +114,16 @@ deb: estimate packages-deb build-bench
 archive: build-bench
 	engine/archive.sh build/bench out/archive
 
+# What a tagged commit publishes. Sources that differ from the commit would not be what the tag says.
+release:
+	@git diff --quiet HEAD || { echo "there are changes that are not committed: commit or stash them" >&2; exit 1; }
+	rm -rf out/archive out/deb out/site out/release
+	$(MAKE) archive deb site
+	mkdir -p out/release
+	cp out/archive/*.tar.gz out/deb/*.deb out/release
+	tar --sort=name --mtime=@$$(git log -1 --format=%ct) --owner=0 --group=0 -C out/site -czf out/release/site.tar.gz .
+	cd out/release && sha256sum * > SHA256SUMS && cat SHA256SUMS
+
 test: deps-format
 	tests/tiers.sh test $(JOBS)
 
@@ -183,4 +194,4 @@ drawings:
 clean:
 	rm -rf build out
 
-.PHONY: help estimate install deb archive notebooks site deps deps-build deps-browser deps-format format tidy demo test test-heavy test-bare golden fuzz bench validation reference course picture drawings clean
+.PHONY: help estimate install release deb archive notebooks site deps deps-build deps-browser deps-format format tidy demo test test-heavy test-bare golden fuzz bench validation reference course picture drawings clean
