@@ -93,10 +93,12 @@ demo: estimate build-bench
 	build/bench/bin/flyrock run scenarios/ninh_dan/benches_2d.yaml -o out/benches_2d --force
 	@[ -e $(PLOTLY) ] || echo "$(no_plots)"
 
-# The picture of the README.
+# The picture of the README, and the same with numbers for docs/reading-a-report.md.
 picture: deps-browser demo
 	chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1200,1020 --virtual-time-budget=8000 \
 	  --screenshot=docs/images/ninh_dan.png file://$(CURDIR)/out/benches_2d/report.html
+	chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1200,1020 \
+	  --screenshot=docs/images/annotated_report.png file://$(CURDIR)/docs/drawings/annotated_report.html
 
 # PREFIX is where flyrock goes; DESTDIR is put before it, for packages.
 PREFIX := /usr/local
