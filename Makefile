@@ -36,6 +36,7 @@ help:
 	@echo "make picture   write the picture of the README: the top of the report that make demo writes"
 	@echo "make notebooks   write the labs of the course as Jupyter notebooks into out/notebooks, and execute them"
 	@echo "make site   write the pages as a web site into out/site"
+	@echo "make release   archive, packages, site and their checksums, into out/release"
 	@echo "make archive   pack flyrock with all that it needs for other and older systems, into out/archive"
 	@echo "make deb    write Debian packages into out/deb"
 	@echo "make format lay out the sources as .clang-format says, which a test checks"
@@ -92,10 +93,12 @@ demo: estimate build-bench
 	build/bench/bin/flyrock run scenarios/ninh_dan/benches_2d.yaml -o out/benches_2d --force
 	@[ -e $(PLOTLY) ] || echo "$(no_plots)"
 
-# The picture of the README.
+# The picture of the README, and the same with numbers for docs/reading-a-report.md.
 picture: deps-browser demo
 	chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1200,1020 --virtual-time-budget=8000 \
 	  --screenshot=docs/images/ninh_dan.png file://$(CURDIR)/out/benches_2d/report.html
+	chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1200,1020 \
+	  --screenshot=docs/images/annotated_report.png file://$(CURDIR)/docs/drawings/annotated_report.html
 
 # PREFIX is where flyrock goes; DESTDIR is put before it, for packages.
 PREFIX := /usr/local
@@ -112,6 +115,16 @@ deb: estimate packages-deb build-bench
 # For systems without these packages, or older than this one (docs/installing.md).
 archive: build-bench
 	engine/archive.sh build/bench out/archive
+
+# What a tagged commit publishes. Sources that differ from the commit would not be what the tag says.
+release:
+	@git diff --quiet HEAD || { echo "there are changes that are not committed: commit or stash them" >&2; exit 1; }
+	rm -rf out/archive out/deb out/site out/release
+	$(MAKE) archive deb site
+	mkdir -p out/release
+	cp out/archive/*.tar.gz out/deb/*.deb out/release
+	tar --sort=name --mtime=@$$(git log -1 --format=%ct) --owner=0 --group=0 -C out/site -czf out/release/site.tar.gz .
+	cd out/release && sha256sum * > SHA256SUMS && cat SHA256SUMS
 
 test: deps-format
 	tests/tiers.sh test $(JOBS)
@@ -183,4 +196,4 @@ drawings:
 clean:
 	rm -rf build out
 
-.PHONY: help estimate install deb archive notebooks site deps deps-build deps-browser deps-format format tidy demo test test-heavy test-bare golden fuzz bench validation reference course picture drawings clean
+.PHONY: help estimate install release deb archive notebooks site deps deps-build deps-browser deps-format format tidy demo test test-heavy test-bare golden fuzz bench validation reference course picture drawings clean

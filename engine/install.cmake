@@ -50,10 +50,25 @@ foreach(header ${headers})
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${PROJECT_SOURCE_DIR}/engine/${header} DESTINATION include/flyrock/${folder} COMPONENT flyrock)
 endforeach()
-install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CHANGELOG.md
-  ${PROJECT_SOURCE_DIR}/CITATION.cff DESTINATION share/doc/flyrock COMPONENT flyrock)
+foreach(page README.md LICENSE CHANGELOG.md CITATION.cff CONTRIBUTING.md)
+  install(FILES ${PROJECT_SOURCE_DIR}/${page} DESTINATION share/doc/flyrock COMPONENT flyrock)
+endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION share/doc/flyrock/docs COMPONENT flyrock
-  FILES_MATCHING PATTERN "*.md" PATTERN "*.svg")
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.png")
+# Pages link to scenarios as in the sources.
+file(CREATE_LINK ../../flyrock/scenarios ${CMAKE_BINARY_DIR}/scenarios SYMBOLIC)
+install(FILES ${CMAKE_BINARY_DIR}/scenarios DESTINATION share/doc/flyrock COMPONENT flyrock)
+# The licences of what is compiled in, and of what the reports contain.
+foreach(package libeigen3-dev librandom123-dev nlohmann-json3-dev libboost-dev libtinyobjloader-dev libfmt-dev)
+  install(CODE "file(REAL_PATH /usr/share/doc/${package} pages)
+    if(EXISTS \${pages}/copyright)
+      file(INSTALL \${pages}/copyright DESTINATION \${CMAKE_INSTALL_PREFIX}/share/doc/flyrock/licences RENAME ${package})
+    else()
+      message(WARNING \"/usr/share/doc/${package} has no copyright: what is installed lacks its licence\")
+    endif()" COMPONENT flyrock)
+endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/node_modules/plotly.js-gl3d-dist-min/LICENSE
+  DESTINATION share/doc/flyrock/licences COMPONENT flyrock RENAME plotly.js OPTIONAL)
 
 include(CMakePackageConfigHelpers)
 string(REPLACE " " ";" plugin_options "${plugin_flags}")

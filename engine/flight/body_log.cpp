@@ -51,8 +51,8 @@ void BodyLog<D>::include(const BodyState& state) {
 }
 
 template <int D>
-void BodyLog<D>::store(const Motion& motion, double t, double time) {
-  if (log_.stores()) log_.store(along(motion, t, time), turn_for_results(motion, t).attitude);
+void BodyLog<D>::store(Store how, const Motion& motion, double t, double time) {
+  if (log_.stores()) (log_.*how)(along(motion, t, time), turn_for_results(motion, t).attitude);
 }
 
 /// Speed and energy are greatest at the ends, because squares of speeds are convex in time. Rotation keeps
@@ -68,7 +68,7 @@ void BodyLog<D>::passes(const Motion& motion, double dt) {
 template <int D>
 void BodyLog<D>::flew(const Motion& motion, double start, double dt) {
   constexpr int up = D - 1;
-  store(motion, 0, start);
+  store(&HistoryLog<D>::store_start, motion, 0, start);
   log_.travels(log_.flies(dt), dt, path_length<D>(motion, dt));
   const double apex = motion.a[up] < 0 ? motion.v[up] / -motion.a[up] : -1;
   if (apex > 0 && apex <= dt) {
@@ -76,9 +76,11 @@ void BodyLog<D>::flew(const Motion& motion, double start, double dt) {
     if (keep_impacts_ && body().impacts > 0) log_.apex(start + apex, motion.position(apex));
   }
   passes(motion, dt);
-  if (log_.stores()) log_.visit_due(start + dt, [&](double time) { store(motion, time - start, time); });
+  if (log_.stores())
+    log_.visit_due(start + dt,
+                   [&](double time) { store(&HistoryLog<D>::store, motion, time - start, time); });
   include(along(motion, dt, start + dt));
-  store(motion, dt, start + dt);
+  store(&HistoryLog<D>::store_end, motion, dt, start + dt);
 }
 
 template <int D>
@@ -97,9 +99,24 @@ void BodyLog<D>::struck(const Impact& impact) {
   log_.struck(body().x);
   if (!keep_impacts_) return;
   BodyHistory& history = log_.history();
-  history.impacts.push_back(impact);
-  history.impacts.back().number = history.impact_count;
-  if (index_ == impact.other) history.impacts.back().other = impact.body;
+  Impact mine = impact;
+  mine.number = history.impact_count;
+  if (index_ == impact.other) mine.other = impact.body;
+  if (Impact* sum = world_.is_dense() ? summed_with(mine) : nullptr)
+    add(*sum, mine);
+  else
+    history.impacts.push_back(mine);
+}
+
+/// The impact with the same other body or part of the terrain that began within the last 10 ms; null: none.
+template <int D>
+Impact* BodyLog<D>::summed_with(const Impact& impact) {
+  constexpr double period = 0.01;  // s
+  std::vector<Impact>& impacts = log_.history().impacts;
+  for (auto before = impacts.rbegin(); before != impacts.rend() && before->time > impact.time - period;
+       ++before)
+    if (before->other == impact.other && before->part == impact.part) return &*before;
+  return nullptr;
 }
 
 template <int D>

@@ -19,7 +19,8 @@ class BodyLog {
   void flew(const Motion& motion, double start, double dt);
   /// Records a contact step of length dt in which the body moved along `motion`.
   void stepped(const Motion& motion, double dt, TravelMode mode);
-  /// Records an impact of the body.
+  /// Records an impact of the body. In dense steps a pair that stays together collides in every step: its
+  /// impacts of 10 ms are summed, so that the memory does not grow with the number of steps.
   void struck(const Impact& impact);
   /// Records the present state, at the end of a step or an impact.
   void arrived() { include(present()); }
@@ -33,7 +34,9 @@ class BodyLog {
   BodyState along(const Motion& motion, double t, double time) const;
   BodyState present() const;
   void include(const BodyState& state);
-  void store(const Motion& motion, double t, double time);
+  Impact* summed_with(const Impact& impact);
+  using Store = void (HistoryLog<D>::*)(const BodyState&, const Attitude<D>&);
+  void store(Store how, const Motion& motion, double t, double time);
   void passes(const Motion& motion, double dt);
 
   const World<D>& world_;

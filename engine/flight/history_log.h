@@ -48,6 +48,10 @@ class HistoryLog {
   /// Stores a point of the trajectory with the mode of the last piece. One of the same time as the last point
   /// replaces its state: an impact changes the velocity, but not the mode in which the body arrived.
   void store(const BodyState& state, const Attitude<D>& attitude);
+  /// The same for the ends of a flight. A flight that goes on as the last one ended has no point between
+  /// them: a touch of other bodies has interrupted the flights of all.
+  void store_start(const BodyState& state, const Attitude<D>& attitude);
+  void store_end(const BodyState& state, const Attitude<D>& attitude);
   /// Calls see(time) for each stored point that falls due before the time `until`.
   template <class See>
   void visit_due(double until, See see) {
@@ -101,6 +105,7 @@ class HistoryLog {
   bool has_flown_ = false;
   int near_ = -1;                    ///< the segment below the end of the last piece, in 2D; -1: not known
   double first_contact_height_ = 0;  ///< m
+  bool ends_flight_ = false;         ///< the last stored point, and not because it fell due
 };
 
 template <int D>

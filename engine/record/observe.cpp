@@ -23,6 +23,17 @@ const char* name_of(SeriesState state) {
   return names[static_cast<int>(state)];
 }
 
+void add(Impact& sum, const Impact& later) {
+  const double pn = sum.pn + later.pn, share = pn > 0 ? later.pn / pn : 1.0 / (sum.count + 1);
+  sum.place += share * (later.place - sum.place);
+  for (const auto mean : {&Impact::vn_before, &Impact::vn_after, &Impact::vt_before, &Impact::vt_after})
+    sum.*mean += share * (later.*mean - sum.*mean);
+  sum.pn = pn;
+  sum.pt += later.pt;
+  sum.energy_change += later.energy_change;
+  sum.count += later.count;
+}
+
 void BodyHistory::begin(const BodyState& state) {
   first = last = min = max = state;
   min_speed = max_speed = state.velocity.norm();

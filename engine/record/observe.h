@@ -36,9 +36,14 @@ struct Impact {
   double vt_before = 0, vt_after = 0;  ///< signed in 2D: t = (n_y, -n_x)
   double pn = 0, pt = 0;               ///< N s
   double energy_change = 0;            ///< J
+  int count = 1;                       ///< of the impacts that are summed here (BodyLog::struck)
   /// rad, of a point on rough ground: of its face along the motion, and in 3D across it (Roughness)
   std::array<double, 2> tilt = {};
 };
+
+/// Adds a later impact of the same pair: impulses and energies are summed, places and velocities are means
+/// weighted by the normal impulse. Time and number stay those of the first.
+void add(Impact& sum, const Impact& later);
 
 struct Apex {
   double time = 0;

@@ -193,6 +193,7 @@ void visit_impact(Visit&& visit) {
   visit(Column{.name = "pn_N_s", .unit = "N s"}, &I::pn);
   visit(Column{.name = "pt_N_s", .unit = "N s"}, &I::pt);
   visit(Column{.name = "energy_change_J", .unit = "J"}, &I::energy_change);
+  visit(Column{.name = "count"}, &I::count);
 }
 
 /// Columns of a BodyState.

@@ -58,20 +58,16 @@ void Nlgs<D>::begin_acceleration() {
   anderson_.begin(scale_);
 }
 
-/// Solves a contact for the velocity b that all others give it. Returns the error of r before, by the measure
-/// of the settings: for a step relative to its speed_scale, for the merit squared; 0 if it is not
+/// Solves a contact that has the velocity u = b + W_aa r, b by all others. Returns the error of r before, by
+/// the measure of the settings: for a step relative to its speed_scale, for the merit squared; 0 if it is not
 /// accelerated.
 template <int D>
-template <int N>
-double Nlgs<D>::solve_contact(int a, const Row& b, Row& r) const {
+double Nlgs<D>::solve_contact(int a, const Row& b, const Row& u, Row& r) const {
   const auto& contact = problem_->contacts[a];
   double error = 0;
-  if (accelerated_) {
-    Row u = b;
-    u.template head<N>().noalias() += contact.w.template topLeftCorner<N, N>() * r.template head<N>();
+  if (accelerated_)
     error = settings_.measure == ErrorMeasure::merit ? natural_map_squared<D>(contact, u, r)
                                                      : local_error<D>(contact, u, r) / contact.speed_scale;
-  }
   if constexpr (D == 2) {
     r = solve_local(contact, b);
   } else if (contact.is_plain()) {
@@ -93,7 +89,9 @@ double Nlgs<D>::sweep_rows(std::vector<Row>& r) {
   for (int a = 0; a < problem_->size(); ++a) {
     Row b = problem_->contacts[a].q;
     problem_->template add_couplings<N>(a, r, b);
-    const double error = solve_contact<N>(a, b, r[a]);
+    Row u = b;
+    if (accelerated_) u.template head<N>().noalias() += own<N>(a) * r[a].template head<N>();
+    const double error = solve_contact(a, b, u, r[a]);
     greatest = std::max(greatest, error);
     sum += error;
   }
@@ -101,7 +99,7 @@ double Nlgs<D>::sweep_rows(std::vector<Row>& r) {
 }
 
 /// The same with the velocities that the impulses give to the bodies, v = sum of M^-1 H_b r_b:
-///   b_a = q_a + H_a^T (v - M^-1 H_a r_a).
+///   u_a = q_a + H_a^T v,   b_a = u_a - W_aa r_a.
 template <int D>
 template <int N>
 double Nlgs<D>::sweep_bodies(std::vector<Row>& r) {
@@ -116,14 +114,16 @@ double Nlgs<D>::sweep_bodies(std::vector<Row>& r) {
   for (int a = 0; a < problem.size(); ++a) move(a, r[a]);
   double greatest = 0, sum = 0;
   for (int a = 0; a < problem.size(); ++a) {
-    move(a, -r[a]);
-    Row b = problem.contacts[a].q;
+    Row u = problem.contacts[a].q;
     for (const auto& side : problem.sides[a])
       if (side.body >= 0)
-        b.template head<N>().noalias() +=
+        u.template head<N>().noalias() +=
             side.columns.template leftCols<N>().transpose() * motions_[side.body];
-    const double error = solve_contact<N>(a, b, r[a]);
-    move(a, r[a]);
+    Row b = u;
+    b.template head<N>().noalias() -= own<N>(a) * r[a].template head<N>();
+    const Row before = r[a];
+    const double error = solve_contact(a, b, u, r[a]);
+    move(a, r[a] - before);
     greatest = std::max(greatest, error);
     sum += error;
   }

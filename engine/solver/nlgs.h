@@ -44,8 +44,12 @@ class Nlgs {
   double sweep_rows(std::vector<Row>& r);
   template <int N>
   double sweep_bodies(std::vector<Row>& r);
+  /// The leading N rows of W_aa.
   template <int N>
-  double solve_contact(int a, const Row& b, Row& r) const;
+  auto own(int a) const {
+    return problem_->contacts[a].w.template topLeftCorner<N, N>();
+  }
+  double solve_contact(int a, const Row& b, const Row& u, Row& r) const;
   void begin_acceleration();
   void accelerate(std::vector<Row>& r);
 

@@ -11,23 +11,23 @@ namespace {
 template <int D>
 using Row = typename ContactProblem<D>::Row;
 
-/// |x - P(x - step u)| with the projection P onto the ball of radius `bound`.
-template <typename Vector>
-double ball_error(const Vector& x, const Vector& u, double step, double bound) {
-  Vector y = x - step * u;
+/// |x - P(x - step u)| with the projection P onto the ball of radius `bound`: of two rows, and of one.
+double ball_error(const Eigen::Vector2d& x, const Eigen::Vector2d& u, double step, double bound) {
+  Eigen::Vector2d y = x - step * u;
   const double size = y.norm();
   if (size > bound) y *= bound / size;
   return (x - y).norm();
+}
+double ball_error(double x, double u, double step, double bound) {
+  const double y = x - step * u, size = std::abs(y);
+  return std::abs(x - (size > bound ? y * (bound / size) : y));
 }
 
 template <int D>
 double group_error(typename ContactProblem<D>::Group group, const Row<D>& u, const Row<D>& r, double step,
                    double bound) {
-  if (group.count == 1)
-    return ball_error<Eigen::Matrix<double, 1, 1>>(r.template segment<1>(group.first),
-                                                   u.template segment<1>(group.first), step, bound);
-  return ball_error<Eigen::Vector2d>(r.template segment<2>(group.first), u.template segment<2>(group.first),
-                                     step, bound);
+  if (group.count == 1) return ball_error(r[group.first], u[group.first], step, bound);
+  return ball_error(r.template segment<2>(group.first), u.template segment<2>(group.first), step, bound);
 }
 
 template <int D>

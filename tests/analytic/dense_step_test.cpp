@@ -267,3 +267,53 @@ TEST_CASE(
   bench.run(2);
   for (int n = 0; n < blocks; ++n) CHECK((bench.world.bodies[n].x - start[n].x).norm() < 5e-3);
 }
+
+TEST_CASE("what a pile keeps grows with time: not with its steps, touches and impacts") {
+  Material material(0.3, 0.5);
+  Bench bench(pit(2), material, automatic());
+  std::mt19937 dice(5);
+  for (int i = 0; i < 40; ++i) bench.add(lump(dice, {-1.5 + i % 4, 1 + i / 4}));
+  bench.run_settings.trajectory_every = 0.02;
+  bench.run_settings.stop_speed = 0;
+  bench.run(4);
+  int rows = 0, impacts = 0;
+  for (const BodyHistory& body : bench.histories) {
+    int counted = 0;
+    for (const Impact& impact : body.impacts) counted += impact.count;
+    CHECK(counted == body.impact_count);
+    for (std::size_t i = 1; i < body.impacts.size(); ++i)
+      CHECK(body.impacts[i].number > body.impacts[i - 1].number);
+    rows += static_cast<int>(body.impacts.size()), impacts += body.impact_count;
+    CHECK(body.trajectory.size() <
+          2 * 4 / 0.02);  // about those that fall due: of all steps, several thousand
+  }
+  CHECK(rows < impacts);
+}
+
+TEST_CASE("a flight has no points more where others collide meanwhile") {
+  Material material(1, 0);
+  Bench bench(ground(100), material, {.step_tolerance = 1e-3});
+  bench.add(disk(0.5, 1000, {50, 60}, {-3, 0}));
+  for (int i = 0; i < 5; ++i) bench.add(disk(0.5, 1000, {3.0 * i, 0.501 + 0.01 * i}));
+  bench.run_settings.trajectory_every = 0.1;
+  bench.run(2);
+  CHECK(bench.histories[1].impact_count > 20);
+  CHECK(bench.histories[0].trajectory.size() == 21);
+}
+
+TEST_CASE("impacts of a pair are summed: means by impulse, sums of impulse and energy") {
+  Impact sum, later;
+  sum.pn = 1, sum.vn_before = -2, sum.vn_after = 1, sum.energy_change = -3, sum.pt = 0.5, sum.number = 4;
+  later.pn = 3, later.vn_before = -4, later.vn_after = 2, later.energy_change = -5, later.pt = 1,
+  later.number = 5;
+  later.place.x() = 8;
+  add(sum, later);
+  CHECK(sum.pn == 4);
+  CHECK(sum.pt == 1.5);
+  CHECK(sum.energy_change == -8);
+  CHECK(sum.vn_before == -3.5);
+  CHECK(sum.vn_after == 1.75);
+  CHECK(sum.place.x() == 6);
+  CHECK(sum.count == 2);
+  CHECK(sum.number == 4);
+}

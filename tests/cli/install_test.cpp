@@ -1,6 +1,7 @@
 // What is installed works by itself: without the build tree, and with the templates of plugins that are built
 // against it alone.
 #include <catch2/catch.hpp>
+#include <regex>
 
 #include "program.h"
 
@@ -42,6 +43,20 @@ std::string all_kinds_with(const std::string& ending) {
 const std::vector<std::string> kinds = {"restitution", "friction",   "rolling", "unilateral",
                                         "velocity",    "population", "shape",   "terrain"};
 
+/// Links of pages to files that are not there.
+std::vector<std::string> dead_links(const fs::path& pages) {
+  const std::regex link(R"(\]\(([^)\s#:]+)(#[^)]*)?\))");
+  std::vector<std::string> dead;
+  for (const auto& entry : fs::recursive_directory_iterator(pages)) {
+    if (entry.path().extension() != ".md") continue;
+    const std::string text = read(entry.path());
+    for (std::sregex_iterator found(text.begin(), text.end(), link), end; found != end; ++found)
+      if (!fs::exists(entry.path().parent_path() / found->str(1)))
+        dead.push_back(entry.path().filename().string() + ": " + found->str(1));
+  }
+  return dead;
+}
+
 TEST_CASE("the installed program runs by itself, and templates of every kind are built against it",
           "[slow]") {
   const Folder folder;
@@ -57,6 +72,9 @@ TEST_CASE("the installed program runs by itself, and templates of every kind are
     INFO(file);
     CHECK(folder.has(std::string("there/usr/share/") + file));
   }
+  for (const char* part : {"plotly.js", "libeigen3-dev", "libtinyobjloader-dev"})
+    CHECK(folder.has(std::string("there/usr/share/doc/flyrock/licences/") + part));
+  CHECK(dead_links(folder.path() / "there/usr/share/doc/flyrock").empty());
   // Moved as a whole, it still finds its parts.
   fs::rename(folder.path() / "there", folder.path() / "moved");
   const std::string flyrock = "'" + (folder.path() / "moved/usr/bin/flyrock").string() + "' ";
