@@ -128,6 +128,7 @@ struct TrialRecords {
   std::vector<TrialRow<FixtureCorner>> fixture_shapes;
   std::vector<TrialRow<SeriesBody>> series_bodies;
   std::vector<TrialRow<SeriesContact>> series_contacts;
+  std::vector<TrialRow<SeriesLink>> series_links;
   std::vector<TrialRow<SeriesSolve>> series_solves;
   std::vector<TrialRow<SeriesStress>> series_stress;
   TrialTotals totals;

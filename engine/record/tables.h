@@ -342,6 +342,22 @@ void visit_series_contacts(Visit&& visit) {
 }
 
 template <class Visit>
+void visit_series_links(Visit&& visit) {
+  using L = SeriesLink;
+  const auto of_row = within(visit, &TrialRow<L>::row);
+  of_row(Column{.name = "time_s", .unit = "s"}, &L::time);
+  of_row(Column{.name = "link"}, &L::link);
+  of_row(Column{.name = "step_s", .unit = "s"}, &L::step);
+  of_row(Column{.name = "impulse_N_s", .unit = "N s"}, &L::impulse);
+  of_row(Column{.name = "force_N", .unit = "N"}, &L::force);
+  of_row(Column{.name = "length_m", .unit = "m"}, &L::length);
+  of_row(Column{.name = "angle_rad", .unit = "rad"}, &L::angle);
+  of_row(Column{.name = "energy_J", .unit = "J"}, &L::energy);
+  visit_vector(of_row, {"ax_m", "ay_m", "az_m"}, "m", &L::end_a, {});
+  visit_vector(of_row, {"bx_m", "by_m", "bz_m"}, "m", &L::end_b, {});
+}
+
+template <class Visit>
 void visit_series_solves(Visit&& visit) {
   using S = SeriesSolve;
   const auto of_row = within(visit, &TrialRow<S>::row);
@@ -443,6 +459,8 @@ void visit_tables(Records& records, See&& see) {
       [](auto&& visit) { visit_series_bodies(visit); });
   see(Table{"series_contacts", Part::whole, trial}, records.series_contacts,
       [](auto&& visit) { visit_series_contacts(visit); });
+  see(Table{"series_links", Part::whole, trial}, records.series_links,
+      [](auto&& visit) { visit_series_links(visit); });
   see(Table{"series_solves", Part::whole, trial}, records.series_solves,
       [](auto&& visit) { visit_series_solves(visit); });
   see(Table{"series_stress", Part::whole, trial}, records.series_stress,
