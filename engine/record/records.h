@@ -124,6 +124,7 @@ struct TrialRecords {
   std::vector<TrialRow<BlockRow>> blocks;
   std::vector<TrialRow<BlockRegionRow>> block_regions;
   std::vector<TrialRow<BlockCorner>> block_corners;
+  std::vector<TrialRow<DrawnLink>> links;
   std::vector<TrialRow<Fixture>> fixtures;
   std::vector<TrialRow<FixtureCorner>> fixture_shapes;
   std::vector<TrialRow<SeriesBody>> series_bodies;

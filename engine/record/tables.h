@@ -302,6 +302,22 @@ void visit_fixtures(Visit&& visit) {
 }
 
 template <class Visit>
+void visit_links(Visit&& visit) {
+  using L = DrawnLink;
+  using E = L::End;
+  const auto of_row = within(visit, &TrialRow<L>::row);
+  of_row(Column{.name = "link"}, &L::link);
+  of_row(Column{.name = "type"}, &L::type);
+  const auto of_a = within(of_row, &L::a), of_b = within(of_row, &L::b);
+  of_a(Column{.name = "a"}, &E::body);
+  of_a(Column{.name = "a_rock"}, &E::rock);
+  visit_vector(of_a, {"ax_m", "ay_m", "az_m"}, "m", &E::place, {});
+  of_b(Column{.name = "b"}, &E::body);
+  of_b(Column{.name = "b_rock"}, &E::rock);
+  visit_vector(of_b, {"bx_m", "by_m", "bz_m"}, "m", &E::place, {});
+}
+
+template <class Visit>
 void visit_fixture_shapes(Visit&& visit) {
   using F = FixtureCorner;
   const auto of_row = within(visit, &TrialRow<F>::row);
@@ -452,6 +468,7 @@ void visit_tables(Records& records, See&& see) {
       [](auto&& visit) { visit_block_regions(visit); });
   see(Table{"block_corners", Part::whole, trial}, records.block_corners,
       [](auto&& visit) { visit_block_corners(visit); });
+  see(Table{"links", Part::whole, trial}, records.links, [](auto&& visit) { visit_links(visit); });
   see(Table{"fixtures", Part::whole, trial}, records.fixtures, [](auto&& visit) { visit_fixtures(visit); });
   see(Table{"fixture_shapes", Part::whole, trial}, records.fixture_shapes,
       [](auto&& visit) { visit_fixture_shapes(visit); });

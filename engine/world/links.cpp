@@ -272,8 +272,25 @@ bool Links<D>::keeps_step(const Bodies& bodies, std::span<const Moment<D>> start
       keeps = keeps && std::abs(end - (row.start + h_ * mean + row.miss)) <= rounds;
     }
   }
-  if (!keeps) set_targets(bodies, starts, ends);
-  return keeps;
+  if (keeps && !turns(starts, ends)) return true;
+  set_targets(bodies, starts, ends);
+  return false;
+}
+
+/// Whether the end of the solved step gives another G than the one with which it was solved.
+template <int D>
+bool Links<D>::turns(std::span<const Moment<D>> starts, std::span<const Moment<D>> ends) {
+  constexpr double rounding_of_g = 1e-10;
+  std::vector<Row> at_end = rows_;
+  rows_.swap(at_end);
+  set_gradients(starts, ends);
+  rows_.swap(at_end);
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    const Row &old = rows_[k], &now = at_end[k];
+    const double change = (now.of_a - old.of_a).norm() + (now.of_b - old.of_b).norm();
+    if (old.acts && change > rounding_of_g * (old.of_a.norm() + old.of_b.norm())) return true;
+  }
+  return false;
 }
 
 template <int D>

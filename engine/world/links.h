@@ -160,6 +160,7 @@ class Links {
   double rate(const Row& row, const Bodies& bodies) const;
   double rate_at_start(const Row& row, std::span<const Moment<D>> starts) const;
   void set_targets(const Bodies& bodies, std::span<const Moment<D>> starts, std::span<const Moment<D>> ends);
+  bool turns(std::span<const Moment<D>> starts, std::span<const Moment<D>> ends);
   void factorise(const Bodies& bodies);
   void note_impulses(bool anew);
 

@@ -249,3 +249,51 @@ TEST_CASE("a chain of three links held at both ends hangs as its funicular polyg
   CHECK(links[1].tension / h == Approx(2 * g * 0.5 / drop).epsilon(1e-9));
   CHECK(links[2].tension / h == Approx(2 * g * slant / drop).epsilon(1e-9));
 }
+
+TEST_CASE("a hinge in 3D keeps its axis, and a bar on it swings as in 2D") {
+  const double width = 1, height = 0.2, depth = 0.4, angle = 1.2, mass = 3;
+  Material material(0, 0);
+  Bench3 bench(plane(), material, steps_of(1e-3));
+  // About an axis that lies level, 30 deg from y; the bar hangs at its end.
+  const Vec3 pivot(0.3, 0.2, 4), axis(0.5, std::cos(pi / 6), 0), out(axis.y(), -axis.x(), 0);
+  const Vec3 along = std::sin(angle) * out - std::cos(angle) * Vec3::UnitZ();
+  const int i =
+      bench.add(box({width, depth, height}, mass, pivot + width / 2 * along, along, axis.cross(along)));
+  World<3>& world = bench.world;
+  Link<3> hinge = link_of<3>(LinkType::hinge, world, i, -1, pivot, pivot);
+  const Eigen::Matrix3d frame = contact_frame(axis);
+  hinge.axis = world.bodies[i].pose().r.inverse(axis);
+  hinge.side = world.bodies[i].pose().r.inverse(frame.col(1));
+  for (int k = 0; k < 3; ++k) hinge.frame_b[k] = frame.col(k);
+  world.links.add(hinge);
+  const double about_pivot = mass * (width * width + height * height) / 12 + mass * width * width / 4;
+  const double energy = world.total_energy();
+  bench.run(3 * quarter(angle, std::sqrt(mass * g * width / 2 / about_pivot)));
+  const auto& link = world.links.list()[0];
+  CHECK((world.bodies[i].x - pivot).normalized().dot(Vec3::UnitZ()) == Approx(-1).epsilon(1e-9));
+  CHECK(std::abs(world.links.angle(link, world.bodies)) == Approx(angle).margin(1e-5));
+  CHECK(world.links.length(link, world.bodies) < 1e-10);
+  CHECK((world.bodies[i].pose().r * hinge.axis - axis).norm() < 1e-10);
+  CHECK(world.total_energy() == Approx(energy).epsilon(1e-8));
+}
+
+TEST_CASE("bars on two hinges of one axis hold what one of them holds already") {
+  Material material(0, 0);
+  Bench3 bench(plane(), material, steps_of(1e-3));
+  World<3>& world = bench.world;
+  const int i = bench.add(box({1, 0.6, 0.1}, 3, {0.5, 0, 4}));
+  for (const double y : {-0.3, 0.3}) {
+    const Vec3 at(0, y, 4);
+    Link<3> hinge = link_of<3>(LinkType::hinge, world, i, -1, at, at);
+    const Eigen::Matrix3d frame = contact_frame(Vec3::UnitY().eval());
+    hinge.axis = world.bodies[i].pose().r.inverse(Vec3::UnitY());
+    hinge.side = world.bodies[i].pose().r.inverse(frame.col(1));
+    for (int k = 0; k < 3; ++k) hinge.frame_b[k] = frame.col(k);
+    world.links.add(hinge);
+  }
+  const double about_axis = 3 * (1 + 0.01) / 12 + 3 * 0.25;
+  bench.run(quarter(pi / 2, std::sqrt(3 * g * 0.5 / about_axis)));
+  const Body<3>& body = world.bodies[i];
+  CHECK((body.x - Vec3(0, 0, 3.5)).norm() < 1e-5);
+  CHECK(std::abs(body.w.y()) == Approx(std::sqrt(2 * 3 * g * 0.5 / about_axis)).epsilon(1e-7));
+}
