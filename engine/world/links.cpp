@@ -256,6 +256,7 @@ void Links<D>::begin_step(const Bodies& bodies, std::span<const Moment<D>> start
 template <int D>
 bool Links<D>::keeps_step(const Bodies& bodies, std::span<const Moment<D>> starts) {
   constexpr int most = 2;
+  if (rows_.empty()) return true;
   const std::vector<Moment<D>> ends = moments_ahead(bodies, theta_ * h_);
   bool keeps = true;
   for (Row& row : rows_) {
