@@ -70,6 +70,10 @@ speed.pivot_table(index="time_s", columns=["body", "point"], values="vx_m_s").in
         "The speeds of the balls at the end, for e = 0.5 (point 0) and e = 1 (point 1).",
         """last = table('SELECT point, "group", vx_m_s FROM trajectories JOIN rocks USING (point, trial, rock) ORDER BY trajectories.time_s')
 last.groupby(["group", "point"]).vx_m_s.last().unstack().plot.bar(xlabel="", ylabel="v_x in m/s");"""),
+    "pendulum_impact": (
+        "The impulses at the three hinges: the middle bar strikes at its centre of percussion.",
+        """blow = table("SELECT link, impulse_N_s FROM series_links WHERE step_s = 0 AND link LIKE '%hinge'")
+blow.groupby("link").impulse_N_s.max().plot.bar(xlabel="", ylabel="impulse in N s");"""),
     "waves": (
         "The forces in the long row at every fifth contact: a pulse that keeps its shape.",
         """force = table("SELECT a, time_s, rn_N FROM series_contacts WHERE a LIKE 'forty%5' OR a LIKE 'forty%0' ORDER BY time_s")

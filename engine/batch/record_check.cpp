@@ -143,6 +143,8 @@ std::string records_fault(const TrialRecords& records, const ChunkRange& range, 
       return "a point of a trajectory of no known mode of travel";
   for (const TrialRow<BlockRow>& block : records.blocks)
     if (!is_value(block.row.mode, BlockMode::locked)) return "a block with no known mode";
+  for (const TrialRow<DrawnLink>& link : records.links)
+    if (!is_value(link.row.type, LinkType::rope)) return "a link of no known type";
   for (const TrialRow<SeriesContact>& contact : records.series_contacts)
     if (!is_value(contact.row.state, SeriesState::after_impact))
       return "a contact of a series in no known state";

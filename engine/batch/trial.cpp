@@ -255,6 +255,20 @@ void add_fixtures(std::uint64_t trial, const World<D>& world, TrialRecords& out)
   }
 }
 
+/// The links of a world, for pictures.
+template <int D>
+void add_links(std::uint64_t number, const Trial<D>& trial, const World<D>& world, TrialRecords& out) {
+  const auto end = [&](int body, const Vec<D>& place) {
+    DrawnLink::End drawn{.body = body < 0 ? "terrain" : world.bodies[static_cast<std::size_t>(body)].group};
+    drawn.place.template head<D>() = body < 0 ? Vec<D>(place + world.origin) : place;
+    for (std::size_t i = 0; i < trial.rocks.size() && body >= 0; ++i)
+      if (trial.rocks[i].body == body) drawn.rock = static_cast<int>(i);
+    return drawn;
+  };
+  for (const Link<D>& link : world.links.list())
+    out.links.push_back({number, {link.name, link.type, end(link.a, link.end_a), end(link.b, link.end_b)}});
+}
+
 }  // namespace
 
 template <int D>
@@ -320,6 +334,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
       settings.series = &series;
     }
     if (stores) add_fixtures(number, world, out);
+    if (stores) add_links(number, trial, world, out);
     if (explainer) explainer->watch(world, names_of(scenario_, trial, static_cast<int>(w)), settings);
     histories[w].resize(world.bodies.size());  // also of a world that does not settle
     try {

@@ -88,7 +88,7 @@ class DocumentSchema {
   Json terrain();
   Json zones();
   Json materials();
-  Json pairs();
+  Json between(const char* name);
   Json blast();
   Json branches();
   Json rocks();
@@ -281,8 +281,9 @@ Json DocumentSchema::materials() {
           {"additionalProperties", material.object()}};
 }
 
-Json DocumentSchema::pairs() {
-  Keys keys = section("pairs");
+/// A list of what is between two.
+Json DocumentSchema::between(const char* name) {
+  Keys keys = section(name);
   Json two = array_of(SchemaValues::some_text(), 2);
   two["maxItems"] = 2;
   keys.add("between", std::move(two), true);
@@ -470,7 +471,7 @@ Json DocumentSchema::document() {
   plain("air", all_vary);
   add("terrain", true, [&] { return terrain(); });
   add("materials", false, [&] { return materials(); });
-  add("pairs", false, [&] { return pairs(); });
+  add("pairs", false, [&] { return between("pairs"); });
   add("blast", false, [&] { return blast(); });
   add("branches", false, [&] { return branches(); });
   add("shapes", false, [&] {
@@ -478,6 +479,7 @@ Json DocumentSchema::document() {
   });
   add("rocks", false, [&] { return rocks(); });
   add("bodies", false, [&] { return bodies(); });
+  add("links", false, [&] { return between("links"); });
   add("barriers", false, [&] { return places("barriers", "x"); });
   add("gates", false, [&] { return places("gates", "x"); });
   if (dimension_ == 3) add("forest", false, [&] { return forest(); });

@@ -48,8 +48,8 @@ class Runner {
         running_(world.bodies.size()) {
     for (std::size_t i = 0; i < running_.size(); ++i) running_[i] = world.bodies[i].kind == BodyKind::dynamic;
     watch_bodies();
-    breathes_ = std::any_of(world.bodies.begin(), world.bodies.end(),
-                            [](const Body<D>& b) { return b.breathing.moves(); });
+    steps_only_ = !world.links.empty() || std::any_of(world.bodies.begin(), world.bodies.end(),
+                                                      [](const Body<D>& b) { return b.breathing.moves(); });
     in_air_ = std::any_of(world.bodies.begin(), world.bodies.end(),
                           [](const Body<D>& b) { return b.air.drag > 0; });
   }
@@ -61,6 +61,7 @@ class Runner {
     if (settings_.series) series_.emplace(world_, *settings_.series);
     release_held();
     apply_loads();
+    world_.pull_links();
     energy_ = world_.total_energy();
     progress_.begin(world_);
     world_.choose_density();
@@ -75,7 +76,7 @@ class Runner {
       if (settings_.watch) report();
       const double before = world_.time;
       const bool flies =
-          settings_.exact_flight && !in_contact && !breathes_ && !world_.is_dense() && !world_.vibrates();
+          settings_.exact_flight && !in_contact && !steps_only_ && !world_.is_dense() && !world_.vibrates();
       in_contact = flies ? fly() : step();
       if (!in_contact && world_.deforms()) world_.settle_deformations();
       release_held();
@@ -403,20 +404,24 @@ class Runner {
     }
     for (int i = 0; i < bodies(); ++i) {
       const Body<D>& body = world_.bodies[i];
-      flights_.push_back(touching_[i] && outcome.duration > 0
+      const bool is_linked = world_.links.holds(i);
+      flights_.push_back((touching_[i] || is_linked) && outcome.duration > 0
                              ? mean_motion(starts_[i], body, outcome.duration)
                              : free_motion(body, starts_[i], world_.gravity()));
       if (!running_[i]) continue;
       const Travel before = histories_[i].travel;
       if (touching_[i]) {
         logs_[i].stepped(flights_[i], outcome.duration, slipping_[i] ? TravelMode::slide : TravelMode::roll);
-        const Vec<D>* pivot = touching_[i] == 1 ? &normals_[i] : nullptr;
-        rest_[i].rests(start, world_.time, pace_of(starts_[i].v, starts_[i].w, body.radius, pivot),
-                       pace_of(body.v, body.w, body.radius, pivot), before);
-      } else {
-        if (outcome.duration > 0) logs_[i].flew(flights_[i], start, outcome.duration);
-        rest_[i].moves();
+      } else if (outcome.duration > 0) {
+        logs_[i].flew(flights_[i], start, outcome.duration);
       }
+      if (!touching_[i] && !is_linked) {
+        rest_[i].moves();
+        continue;
+      }
+      const Vec<D>* pivot = touching_[i] == 1 && !is_linked ? &normals_[i] : nullptr;
+      rest_[i].rests(start, world_.time, pace_of(starts_[i].v, starts_[i].w, body.radius, pivot),
+                     pace_of(body.v, body.w, body.radius, pivot), before);
     }
     arrived();
     arrive(start, outcome.duration);
@@ -546,7 +551,7 @@ class Runner {
   std::vector<Vec<D>> normals_;  ///< of a contact of each body that touches
   std::vector<Moment<D>> starts_;
   std::vector<Motion> flights_;  ///< of the last flight or step, from its start
-  bool breathes_ = false;        ///< the radius of a body changes in the air too: flights are made of steps
+  bool steps_only_ = false;      ///< links or radii act in the air too: flights are made of steps
   bool in_air_ = false;
   std::vector<std::array<Vec<D>, 2>> accelerations_;  ///< accelerations by the air in the current leg
   std::vector<int> parts_;                            ///< of one body near the ground

@@ -46,6 +46,7 @@ void SeriesRecorder<D>::stepped(double step) {
   if (step <= 0 || !due()) return;
   put_bodies();
   put_contacts(step);
+  put_links(step);
   put_solve(step);
 }
 
@@ -58,6 +59,7 @@ template <int D>
 void SeriesRecorder<D>::after_impact() {
   put_bodies();
   put_contacts(0);
+  put_links(0);
   put_solve(0);
 }
 
@@ -152,6 +154,26 @@ void SeriesRecorder<D>::put_contacts(double step) {
     row.un = world_.velocities_after()[a][0];
     row.ut = tangential(world_.velocities_after()[a]);
     rows_.contacts.push_back(row);
+  }
+}
+
+/// Of links that hold a body with rows.
+template <int D>
+void SeriesRecorder<D>::put_links(double step) {
+  for (const Link<D>& link : world_.links.list()) {
+    if (!wanted(link.a) && !wanted(link.b)) continue;
+    const auto [end_a, end_b] = world_.links.ends(link, world_.bodies);
+    SeriesLink& row = rows_.links.emplace_back();
+    row.time = world_.time;
+    row.link = link.name;
+    row.step = step;
+    row.impulse = link.tension;
+    row.force = step > 0 ? link.tension / step : std::numeric_limits<double>::quiet_NaN();
+    row.length = (end_a - end_b).norm();
+    if (link.type == LinkType::hinge) row.angle = world_.links.angle(link, world_.bodies);
+    row.energy = world_.links.energy(link, world_.bodies);
+    row.end_a.template head<D>() = end_a + world_.origin;
+    row.end_b.template head<D>() = end_b + world_.origin;
   }
 }
 

@@ -40,6 +40,7 @@ class SeriesRecorder {
   void put(int body, const BodyState& state, const Attitude<D>& attitude);
   void put_stress(const Body<D>& body, double time);
   void put_contacts(double step);
+  void put_links(double step);
   void put_solve(double step);
 
   const World<D>& world_;

@@ -124,10 +124,12 @@ struct TrialRecords {
   std::vector<TrialRow<BlockRow>> blocks;
   std::vector<TrialRow<BlockRegionRow>> block_regions;
   std::vector<TrialRow<BlockCorner>> block_corners;
+  std::vector<TrialRow<DrawnLink>> links;
   std::vector<TrialRow<Fixture>> fixtures;
   std::vector<TrialRow<FixtureCorner>> fixture_shapes;
   std::vector<TrialRow<SeriesBody>> series_bodies;
   std::vector<TrialRow<SeriesContact>> series_contacts;
+  std::vector<TrialRow<SeriesLink>> series_links;
   std::vector<TrialRow<SeriesSolve>> series_solves;
   std::vector<TrialRow<SeriesStress>> series_stress;
   TrialTotals totals;

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "record/link_type.h"
 #include "record/observe.h"
 
 namespace flyrock {
@@ -33,6 +34,19 @@ struct Fixture {
 struct FixtureCorner {
   std::string body;
   SurfaceCorner corner;
+};
+
+/// A link, and where it holds two bodies: in their frames, or in the world where `rock` is -1 and no body is
+/// named.
+struct DrawnLink {
+  struct End {
+    int rock = -1;              ///< of the trial; -1: a body whose motion is prescribed, or the terrain
+    std::string body;           ///< `terrain` for the terrain
+    Vec3 place = Vec3::Zero();  ///< m
+  };
+  std::string link;
+  LinkType type = LinkType::rod;
+  End a, b;
 };
 
 }  // namespace flyrock

@@ -37,6 +37,19 @@ struct SeriesContact {
   Vec3 place = Vec3::Zero(), normal = Vec3::Zero();
 };
 
+/// A link at the end of a step, or after an impact.
+struct SeriesLink {
+  double time = 0;
+  std::string link;
+  double step = 0;     ///< s, length of the step; 0: an impact
+  double impulse = 0;  ///< N s, in the step or impact; positive where the link pulls, of a hinge its amount
+  double force = 0;    ///< N, impulse / step; of an impact NaN
+  double length = 0;   ///< m, the distance of its ends
+  double angle = std::numeric_limits<double>::quiet_NaN();  ///< rad, of a hinge since the start
+  double energy = 0;                                        ///< J, of a spring
+  Vec3 end_a = Vec3::Zero(), end_b = Vec3::Zero();
+};
+
 /// The solution of the contact problem of a step or an impact.
 struct SeriesSolve {
   double time = 0;
@@ -60,6 +73,7 @@ struct SeriesStress {
 struct Series {
   std::vector<SeriesBody> bodies;
   std::vector<SeriesContact> contacts;
+  std::vector<SeriesLink> links;
   std::vector<SeriesSolve> solves;
   std::vector<SeriesStress> stresses;
 };

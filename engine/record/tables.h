@@ -303,6 +303,22 @@ void visit_fixtures(Visit&& visit) {
 }
 
 template <class Visit>
+void visit_links(Visit&& visit) {
+  using L = DrawnLink;
+  using E = L::End;
+  const auto of_row = within(visit, &TrialRow<L>::row);
+  of_row(Column{.name = "link"}, &L::link);
+  of_row(Column{.name = "type"}, &L::type);
+  const auto of_a = within(of_row, &L::a), of_b = within(of_row, &L::b);
+  of_a(Column{.name = "a"}, &E::body);
+  of_a(Column{.name = "a_rock"}, &E::rock);
+  visit_vector(of_a, {"ax_m", "ay_m", "az_m"}, "m", &E::place, {});
+  of_b(Column{.name = "b"}, &E::body);
+  of_b(Column{.name = "b_rock"}, &E::rock);
+  visit_vector(of_b, {"bx_m", "by_m", "bz_m"}, "m", &E::place, {});
+}
+
+template <class Visit>
 void visit_fixture_shapes(Visit&& visit) {
   using F = FixtureCorner;
   const auto of_row = within(visit, &TrialRow<F>::row);
@@ -340,6 +356,22 @@ void visit_series_contacts(Visit&& visit) {
   of_row(Column{.name = "state"}, &C::state);
   visit_vector(of_row, {"x_m", "y_m", "z_m"}, "m", &C::place, {});
   visit_vector(of_row, {"nx", "ny", "nz"}, "", &C::normal, {});
+}
+
+template <class Visit>
+void visit_series_links(Visit&& visit) {
+  using L = SeriesLink;
+  const auto of_row = within(visit, &TrialRow<L>::row);
+  of_row(Column{.name = "time_s", .unit = "s"}, &L::time);
+  of_row(Column{.name = "link"}, &L::link);
+  of_row(Column{.name = "step_s", .unit = "s"}, &L::step);
+  of_row(Column{.name = "impulse_N_s", .unit = "N s"}, &L::impulse);
+  of_row(Column{.name = "force_N", .unit = "N"}, &L::force);
+  of_row(Column{.name = "length_m", .unit = "m"}, &L::length);
+  of_row(Column{.name = "angle_rad", .unit = "rad"}, &L::angle);
+  of_row(Column{.name = "energy_J", .unit = "J"}, &L::energy);
+  visit_vector(of_row, {"ax_m", "ay_m", "az_m"}, "m", &L::end_a, {});
+  visit_vector(of_row, {"bx_m", "by_m", "bz_m"}, "m", &L::end_b, {});
 }
 
 template <class Visit>
@@ -437,6 +469,7 @@ void visit_tables(Records& records, See&& see) {
       [](auto&& visit) { visit_block_regions(visit); });
   see(Table{"block_corners", Part::whole, trial}, records.block_corners,
       [](auto&& visit) { visit_block_corners(visit); });
+  see(Table{"links", Part::whole, trial}, records.links, [](auto&& visit) { visit_links(visit); });
   see(Table{"fixtures", Part::whole, trial}, records.fixtures, [](auto&& visit) { visit_fixtures(visit); });
   see(Table{"fixture_shapes", Part::whole, trial}, records.fixture_shapes,
       [](auto&& visit) { visit_fixture_shapes(visit); });
@@ -444,6 +477,8 @@ void visit_tables(Records& records, See&& see) {
       [](auto&& visit) { visit_series_bodies(visit); });
   see(Table{"series_contacts", Part::whole, trial}, records.series_contacts,
       [](auto&& visit) { visit_series_contacts(visit); });
+  see(Table{"series_links", Part::whole, trial}, records.series_links,
+      [](auto&& visit) { visit_series_links(visit); });
   see(Table{"series_solves", Part::whole, trial}, records.series_solves,
       [](auto&& visit) { visit_series_solves(visit); });
   see(Table{"series_stress", Part::whole, trial}, records.series_stress,

@@ -17,11 +17,11 @@ constexpr double legend_high = 52;    // pixels: axis of time, then the ruler
 constexpr double longest_arrow = 70;  // pixels
 constexpr const char* arrow_colour = "#c4531b";
 
-std::vector<Actor> actors_of(const SqliteReader& database, const std::vector<StoredPath>& paths) {
+std::vector<Actor> actors_of(const SqliteReader& database, const std::vector<StoredPath>& paths,
+                             const std::vector<StoredFixture>& fixtures) {
   std::vector<Actor> actors;
   for (const StoredPath& path : paths) actors.push_back({path, stored_corners(database, path), 0});
-  for (const StoredFixture& fixture : stored_fixtures(database, paths))
-    actors.push_back({fixture.path, fixture.corners, 0});
+  for (const StoredFixture& fixture : fixtures) actors.push_back({fixture.path, fixture.corners, 0});
   for (Actor& actor : actors)
     for (const SurfaceCorner& corner : actor.corners)
       actor.extent = std::max(actor.extent, corner.place.norm() + corner.radius);
@@ -72,6 +72,26 @@ std::string ground_in_space(const SqliteReader& database, std::int64_t point, co
   return out + "</g>\n";
 }
 
+/// Links are lines between their ends, a hinge is a dot. A rope is thin, a spring dashed.
+std::string drawn_links(const std::vector<StoredLink>& links, const Stage& stage) {
+  std::string out;
+  for (const StoredLink& link : links) {
+    const auto along = [&](const char* attribute, const StoredLink::End& end, int axis) {
+      return stage.animate(attribute, Stage::Pace::smooth,
+                           [&](double t) { return fmt::format("{:.1f}", stage.pixel(end.at(t))[axis]); });
+    };
+    if (link.type == "hinge")
+      out += element("circle r=\"3\" fill=\"#fff\"", {along("cx", link.a, 0), along("cy", link.a, 1)});
+    else
+      out += element(
+          fmt::format("line stroke-width=\"{}\"{}", link.type == "rod" ? 2.5 : 1.2,
+                      link.type == "spring" ? " stroke-dasharray=\"5 3\"" : ""),
+          {along("x1", link.a, 0), along("y1", link.a, 1), along("x2", link.b, 0), along("y2", link.b, 1)});
+    out += "\n";
+  }
+  return out;
+}
+
 /// An arrow from `tail` to `tip` as one line, in pixels.
 std::string arrow(const Vec2& tail, const Vec2& tip) {
   const Vec2 along = tip - tail, across(-along.y(), along.x());
@@ -119,7 +139,9 @@ std::string legend(const Stage& stage, double greatest) {
 /// What there is to draw, and where.
 struct Scene {
   Scene(const SqliteReader& database, const std::vector<StoredPath>& paths)
-      : actors(actors_of(database, paths)),
+      : fixtures(stored_fixtures(database, paths)),
+        links(stored_links(database, paths, fixtures)),
+        actors(actors_of(database, paths, fixtures)),
         point(paths.front().point),
         dimension(stored_ground(database, point) ? 3 : 2),
         stage(actors, dimension),
@@ -132,6 +154,8 @@ struct Scene {
     });
   }
 
+  std::vector<StoredFixture> fixtures;
+  std::vector<StoredLink> links;  ///< of the paths that the scene was made of
   std::vector<Actor> actors;
   std::int64_t point;
   int dimension;
@@ -149,6 +173,7 @@ std::string drawn(const Scene& scene, const std::string& title) {
       stage.width, stage.height + legend_high, escaped(title), stage.height);
   out += scene.ground;
   for (const Actor& actor : scene.actors) out += animated_rock(actor, stage, scene.dimension);
+  out += drawn_links(scene.links, stage);
   const double greatest = greatest_force(scene.contacts);
   out += forces(scene.contacts, greatest, stage);
   return out + "</g></svg>\n" + stage.axis() + legend(stage, greatest) + "</svg>\n";

@@ -87,7 +87,7 @@ std::vector<StoredFixture> stored_fixtures(const SqliteReader& database,
                                   .time = row.real(1),
                                   .angle = row.real(14),
                                   .turn = {row.real(15), row.real(16), row.real(17), row.real(18)}};
-    StoredFixture fixture{{first.point, first.trial, -1, 0, 0, {}}, {}};
+    StoredFixture fixture{row.text(0), {first.point, first.trial, -1, 0, 0, {}}, {}};
     const int count = motion.moves() && end > motion.time ? pieces : 0;
     for (int i = 0; i <= count; ++i)
       fixture.path.moments.push_back(motion.at(motion.time + (end - motion.time) * i / std::max(count, 1)));
@@ -95,6 +95,40 @@ std::vector<StoredFixture> stored_fixtures(const SqliteReader& database,
     fixtures.push_back(std::move(fixture));
   }
   return fixtures;
+}
+
+Vec3 StoredLink::End::at(double time) const {
+  if (!path) return place;
+  const StoredMoment moment = path->at(time);
+  const Eigen::Quaterniond turn =
+      moment.angle != 0 ? Eigen::Quaterniond(Eigen::AngleAxisd(moment.angle, Vec3::UnitZ())) : moment.turn;
+  return moment.place + turn * place;
+}
+
+std::vector<StoredLink> stored_links(const SqliteReader& database, const std::vector<StoredPath>& paths,
+                                     const std::vector<StoredFixture>& fixtures) {
+  std::vector<StoredLink> links;
+  if (paths.empty()) return links;
+  Query row(database,
+            fmt::format("SELECT type, a, a_rock, ax_m, ay_m, az_m, b, b_rock, bx_m, by_m, bz_m FROM links "
+                        "WHERE point = {} AND trial = {} ORDER BY rowid",
+                        paths.front().point, paths.front().trial));
+  const auto path_of = [&](const std::string& body, std::int64_t rock) -> const StoredPath* {
+    for (const StoredPath& path : paths)
+      if (rock >= 0 && path.rock == rock && path.trial == paths.front().trial) return &path;
+    for (const StoredFixture& fixture : fixtures)
+      if (fixture.body == body) return &fixture.path;
+    return nullptr;
+  };
+  const auto end = [&](int first) -> std::optional<StoredLink::End> {
+    const std::string body = row.text(first);
+    const StoredPath* path = path_of(body, row.whole(first + 1));
+    if (!path && body != "terrain") return std::nullopt;
+    return StoredLink::End{path, Vec3(row.real(first + 2), row.real(first + 3), row.real(first + 4))};
+  };
+  while (row.next())
+    if (const auto a = end(1), b = end(6); a && b) links.push_back({row.text(0), *a, *b});
+  return links;
 }
 
 }  // namespace flyrock

@@ -24,9 +24,26 @@ std::vector<SurfaceCorner> stored_corners(const SqliteReader& database, const St
 
 /// A fixed or driven body (record/scenery.h).
 struct StoredFixture {
+  std::string body;
   StoredPath path;  ///< one moment if the body does not move; the rock is -1
   std::vector<SurfaceCorner> corners;
 };
+
+/// A link, and how its ends move.
+struct StoredLink {
+  struct End {
+    const StoredPath* path = nullptr;  ///< of its body; null: it stays
+    Vec3 place;                        ///< m, in the frame of the body, or of the world
+
+    Vec3 at(double time) const;
+  };
+  std::string type;
+  End a, b;
+};
+
+/// The links of the trial of these paths, between bodies of these paths and fixtures, which outlive them.
+std::vector<StoredLink> stored_links(const SqliteReader& database, const std::vector<StoredPath>& paths,
+                                     const std::vector<StoredFixture>& fixtures);
 
 /// The fixtures of the trial of the first of these paths, moved until the paths end.
 std::vector<StoredFixture> stored_fixtures(const SqliteReader& database,

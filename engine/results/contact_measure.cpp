@@ -2,16 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace flyrock {
 
 namespace {
 
 /// A quantity of the pair in one step.
 struct Instant {
-  double time = 0, step = 0;
-  double value = 0;
+  OverSteps::Instant at;
   double gap = 0;  ///< the least so far
 };
 
@@ -34,12 +31,12 @@ std::vector<Instant> instants_of(const ContactMeasure& measure, const std::vecto
         (is(measure.a, row.a) && is(measure.b, row.b)) || (is(measure.b, row.a) && is(measure.a, row.b));
     if (!of_pair || row.step <= 0) continue;
     const double value = value_of(row, measure.quantity);
-    if (instants.empty() || instants.back().time != row.time) {
-      instants.push_back({row.time, row.step, value, row.gap});
+    if (instants.empty() || instants.back().at.time != row.time) {
+      instants.push_back({{row.time, row.step, value}, row.gap});
     } else if (is_force) {
-      instants.back().value += value;
+      instants.back().at.value += value;
     } else if (row.gap < instants.back().gap) {
-      instants.back().value = value;
+      instants.back().at.value = value;
       instants.back().gap = row.gap;
     }
   }
@@ -48,24 +45,10 @@ std::vector<Instant> instants_of(const ContactMeasure& measure, const std::vecto
 
 }  // namespace
 
-ContactMeasure::Answer ContactMeasure::value(const std::vector<SeriesContact>& rows) const {
-  const std::vector<Instant> instants = instants_of(*this, rows);
-  if (instants.empty()) return {0, fmt::format("{} and {} have no contact in a step", a, b)};
-  const auto less = [](const Instant& l, const Instant& r) { return l.value < r.value; };
-  if (of_time == "final") return {instants.back().value, {}};
-  if (of_time == "max") return {std::max_element(instants.begin(), instants.end(), less)->value, {}};
-  if (of_time == "min") return {std::min_element(instants.begin(), instants.end(), less)->value, {}};
-  if (of_time == "at") {
-    for (const Instant& instant : instants)
-      if (time <= instant.time && time > instant.time - instant.step) return {instant.value, {}};
-    return {0, fmt::format("{} and {} have no contact at {} s", a, b, time)};
-  }
-  double sum = 0, duration = 0;
-  for (const Instant& instant : instants) {
-    sum += instant.step * instant.value;
-    duration += instant.step;
-  }
-  return {sum / duration, {}};
+OverSteps::Answer ContactMeasure::value(const std::vector<SeriesContact>& rows) const {
+  std::vector<OverSteps::Instant> instants;
+  for (const Instant& instant : instants_of(*this, rows)) instants.push_back(instant.at);
+  return over.of(instants, fmt::format("{} and {} have no contact", a, b));
 }
 
 }  // namespace flyrock

@@ -56,6 +56,8 @@ Measure::Measure(const std::string& name, const Scenario& scenario) : dimension_
     if (words.size() > 2) table_ = words[2];
   } else if (words[0] == "contact") {
     read_contact(words);
+  } else if (words[0] == "link") {
+    read_link(words);
   } else if (words[0] == "rocks") {
     read_rocks(words, scenario);
   } else if (words[0] == "gate") {
@@ -119,7 +121,13 @@ void Measure::read_body(const std::vector<std::string>& words, const Scenario& s
 void Measure::read_contact(const std::vector<std::string>& words) {
   kind_ = Kind::contact;
   const std::optional<double> time = time_of_step(words[4]);
-  contact_ = {words[1], words[2], words[3], time ? "at" : words[4], time.value_or(0)};
+  contact_ = {words[1], words[2], words[3], {time ? "at" : words[4], time.value_or(0), false}};
+}
+
+void Measure::read_link(const std::vector<std::string>& words) {
+  kind_ = Kind::link;
+  const std::optional<double> time = time_of_step(words[3]);
+  link_ = {words[1], words[2], {time ? "at" : words[3], time.value_or(0), words[2] == "impulse"}};
 }
 
 Measured Measure::value(const PointResult& result) const {
@@ -135,7 +143,11 @@ Measured Measure::value(const PointResult& result) const {
     case Kind::assembly:
       return {assembly_value(result.totals), false, {}};
     case Kind::contact: {
-      const ContactMeasure::Answer answer = contact_.value(result.series.contacts);
+      const OverSteps::Answer answer = contact_.value(result.series.contacts);
+      return {answer.value, false, answer.fault};
+    }
+    case Kind::link: {
+      const OverSteps::Answer answer = link_.value(result.series.links);
       return {answer.value, false, answer.fault};
     }
     case Kind::statistic: {

@@ -11,6 +11,7 @@
 #include "results/contact_measure.h"
 #include "results/crossing_summary.h"
 #include "results/exposure.h"
+#include "results/link_measure.h"
 #include "results/observation.h"
 #include "results/plan_reach.h"
 #include "results/reach.h"
@@ -69,7 +70,7 @@ class Measure {
 
   /// Whether it needs the full number of trials, as statistics of rocks do.
   bool of_rocks() const {
-    return kind_ != Kind::body && kind_ != Kind::assembly && kind_ != Kind::contact &&
+    return kind_ != Kind::body && kind_ != Kind::assembly && kind_ != Kind::contact && kind_ != Kind::link &&
            kind_ != Kind::energy && kind_ != Kind::solver;
   }
   Measured value(const PointResult& result) const;
@@ -89,6 +90,7 @@ class Measure {
     body,
     assembly,
     contact,
+    link,
     energy,
     solver
   };
@@ -97,6 +99,7 @@ class Measure {
   void read_share(const std::vector<std::string>& words);
   void read_body(const std::vector<std::string>& words, const Scenario& scenario);
   void read_contact(const std::vector<std::string>& words);
+  void read_link(const std::vector<std::string>& words);
   static Measured solver_value(const PointResult& result, const std::string& field);
   Measured gate_value(const GateSummary& gate) const;
   Measured barrier_value(const BarrierSummary& barrier) const;
@@ -115,6 +118,7 @@ class Measure {
   std::string table_;  ///< body: final, max, min, stop_time, contact_time, impact, apex
   std::string field_;  ///< x, vn_before, max_residual
   ContactMeasure contact_;
+  LinkMeasure link_;
   std::size_t quantity_ = 0;  ///< of rock_statistics
   Statistic statistic_ = Statistic::mean;
   std::vector<bool> moves_;                 ///< of an assembly: which bodies of the scenario

@@ -54,6 +54,8 @@ class PointTally {
 
   /// Keeps the series of the first trial, for measures.
   void keep_series(const TrialRecords& chunk) {
+    for (const auto& [trial, row] : chunk.series_links)
+      if (trial == chunk.series_links.front().trial && !series_is_known_) result_.series.links.push_back(row);
     for (const auto& [trial, row] : chunk.series_contacts)
       if (trial == chunk.series_contacts.front().trial && !series_is_known_)
         result_.series.contacts.push_back(row);

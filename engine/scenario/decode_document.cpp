@@ -71,6 +71,10 @@ class DocumentDecoder {
     }
     if (const auto observed = root_.find("observed")) decode_measured(*observed);
     scenario_.solver = decode_solver(context_, *root_.find("solver"));
+    if (const auto links = root_.find("links")) {
+      scenario_.links = decode_links(context_, *links, scenario_.bodies);
+      check_links(*links);
+    }
     if (const auto settle = root_.find("settle")) {
       scenario_.settle = decode_settle(context_, *settle);
       check_settle(*settle);
@@ -135,6 +139,16 @@ class DocumentDecoder {
     for (const char* key : {"bodies", "pairs"})
       error_at(key,
                "belongs to `nscd` and `lumped_mass`; `ballistic` flies rocks to the first ground they meet");
+  }
+
+  /// Links join bodies, which then move step by step.
+  void check_links(const Node& links) {
+    if (scenario_.method != Method::nscd)
+      links.error(context_.diagnostics, "needs the method `nscd`");
+    else if (!root_.find("bodies"))
+      links.error(context_.diagnostics, "needs `bodies`, the scenario has none");
+    else if (scenario_.solver.dense.bodies == "dense")
+      links.error(context_.diagnostics, "a run with links takes no dense steps: `solver.bodies: exact`");
   }
 
   /// Bodies settle on each other.

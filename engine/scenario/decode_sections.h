@@ -84,6 +84,10 @@ std::optional<Release> decode_release(DecodeContext& context, const Node& node,
 std::vector<BodyPlan> decode_bodies(DecodeContext& context, const Node& node,
                                     const std::vector<Material>& materials);
 
+/// `bodies` are those of the scenario.
+std::vector<LinkPlan> decode_links(DecodeContext& context, const Node& node,
+                                   const std::vector<BodyPlan>& bodies);
+
 /// `names`: the bodies, the groups, `terrain` and `terrain.<part>`.
 std::vector<PairPlan> decode_pairs(DecodeContext& context, const Node& node,
                                    const std::vector<Material>& materials,

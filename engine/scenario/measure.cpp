@@ -81,6 +81,8 @@ const Table contact_quantities{{"gap", dimension::length},
                                {"ut", dimension::speed},
                                {"rn", force},
                                {"rt", force}};
+const Table link_quantities{
+    {"force", force}, {"length", dimension::length}, {"angle", dimension::angle}, {"impulse", impulse}};
 const Table rock_distributions = [] {
   Table table;
   for (const RockStatistic& number : rock_statistics)
@@ -116,13 +118,14 @@ class MeasureParser {
       : measure_(measure), names_(names), steps_(measure_steps(measure)) {}
 
   MeasureInfo parse() {
-    static const std::vector<std::string> kinds{"body",     "assembly", "contact", "rocks",
-                                                "gate",     "barrier",  "trees",   "clearance",
-                                                "exposure", "energy",   "solver"};
+    static const std::vector<std::string> kinds{"body",      "assembly", "contact", "link",
+                                                "rocks",     "gate",     "barrier", "trees",
+                                                "clearance", "exposure", "energy",  "solver"};
     const std::string kind = next(kinds);
     if (kind == "body") parse_body();
     if (kind == "assembly") parse_assembly();
     if (kind == "contact") parse_contact();
+    if (kind == "link") parse_link();
     if (kind == "rocks") parse_rocks();
     if (kind == "gate") {
       Table quantities = gate_quantities;
@@ -224,6 +227,20 @@ class MeasureParser {
     next(others);
     next(others);
     finish(contact_quantities);
+    parse_over_time();
+  }
+
+  void parse_link() {
+    parse_named("links", names_.links, link_quantities);
+    if (!info_.fault.empty()) return;
+    if (steps_[2] == "angle" &&
+        std::find(names_.hinges.begin(), names_.hinges.end(), steps_[1]) == names_.hinges.end())
+      return fail(fmt::format("the link `{}` is no hinge, it has no angle", steps_[1]));
+    parse_over_time();
+  }
+
+  /// What becomes of a quantity of a series.
+  void parse_over_time() {
     if (at_ < steps_.size() && time_of_step(steps_[at_])) steps_[at_] = "at[time]";
     next({"mean", "max", "min", "final", "at[time]"});
     need_series();

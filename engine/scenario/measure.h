@@ -14,6 +14,8 @@ namespace flyrock {
 struct MeasureNames {
   int dimension = 2;
   std::vector<std::string> bodies;
+  std::vector<std::string> links;
+  std::vector<std::string> hinges;  ///< those of the links
   std::vector<std::string> groups;
   std::vector<std::string> gates;
   std::vector<std::string> barriers;
@@ -34,6 +36,8 @@ struct MeasureInfo {
 ///   body.<name>.impact[n].<quantity>, body.<name>.apex[n].time|height,
 ///   assembly.<component>.mean|min|max, assembly.at_rest,
 ///   contact.<a>.<b>.gap|un|ut|rn|rt.mean|max|min|final|at[time], a and b bodies, b also `terrain`,
+///   link.<name>.force|length|angle.mean|max|min|final|at[time], angle of a hinge only,
+///   link.<name>.impulse.mean|max|min|final, of impacts,
 ///   energy.total.relative_change, solver.<quantity>,
 ///   rocks[.<group>].<quantity>.<statistic>, rocks[.<group>].count|censored,
 ///   gate.<name>.passed[.per_trial]|per_trial|mean_energy|p95_energy|p95_height,

@@ -46,12 +46,17 @@ class Normaliser {
     section("air", air_rules);
     put_part("terrain", true, [&](const Node& node) { return normalise_terrain(context_, node); });
     put_part("materials", !flies, [&](const Node& node) { return normalise_materials(context_, node); });
-    put_part("pairs", false, [&](const Node& node) { return normalise_pairs(context_, node); });
+    put_part("pairs", false, [&](const Node& node) {
+      return normalise_between(context_, node, "pairs", "two bodies, groups or parts of the terrain");
+    });
     put_part("blast", false, [&](const Node& node) { return blast(node); });
     put_part("branches", false, [&](const Node& node) { return normalise_branches(context_, node); });
     read_shapes();
     put_part("rocks", false, [&](const Node& node) { return normalise_rocks(context_, node); });
     put_part("bodies", false, [&](const Node& node) { return normalise_bodies(context_, node); });
+    put_part("links", false, [&](const Node& node) {
+      return normalise_between(context_, node, "links", "two bodies, or of a body and `terrain`");
+    });
     if (!root_.find("rocks") && !root_.find("bodies"))
       diagnostics_.error(root_.key_at, "", "`rocks` or `bodies` is missing");
     for (const char* name : {"barriers", "gates"})
@@ -269,6 +274,8 @@ std::vector<std::string> element_names(const std::optional<Node>& list) {
 MeasureNames measure_names(const Node& root, int dimension) {
   MeasureNames names{.dimension = dimension,
                      .bodies = element_names(root.find("bodies")),
+                     .links = element_names(root.find("links")),
+                     .hinges = {},
                      .groups = element_names(root.find("rocks")),
                      .gates = element_names(root.find("gates")),
                      .barriers = element_names(root.find("barriers")),
@@ -277,6 +284,11 @@ MeasureNames measure_names(const Node& root, int dimension) {
                      .exposures = element_names(root.find("exposure")),
                      .forest = root.find("forest").has_value()};
   if (const auto output = root.find("output")) names.series = output->find("series").has_value();
+  if (const auto links = root.find("links"))
+    for (const Node& item : links->items())
+      if (const auto name = item.find("name"), type = item.find("type");
+          name && name->value->text() && type && type->value->text() && *type->value->text() == "hinge")
+        names.hinges.push_back(*name->value->text());
   if (const auto clearances = root.find("clearance"))
     for (const Node& item : clearances->items())
       if (const auto name = item.find("name"); name && name->value->text() && item.find("factor"))

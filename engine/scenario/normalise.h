@@ -16,7 +16,9 @@ Value normalise(DecodeContext& context, const Node& root);
 /// Its parts.
 Value normalise_materials(DecodeContext& context, const Node& node);
 Value normalise_terrain(DecodeContext& context, const Node& node);
-Value normalise_pairs(DecodeContext& context, const Node& node);
+/// A list of what is `between` two, each in a section; `expected`: what names they may have, for messages.
+Value normalise_between(DecodeContext& context, const Node& node, const std::string& section,
+                        const std::string& expected);
 Value normalise_rocks(DecodeContext& context, const Node& list);
 Value normalise_bodies(DecodeContext& context, const Node& list);
 /// One of the shapes of the document.

@@ -118,17 +118,18 @@ Value normalise_terrain(DecodeContext& context, const Node& node) {
   return terrain;
 }
 
-Value normalise_pairs(DecodeContext& context, const Node& node) {
+Value normalise_between(DecodeContext& context, const Node& node, const std::string& section,
+                        const std::string& expected) {
   if (!node.expect_list(context.diagnostics)) return {};
+  refuse_duplicate_names(context, node);
   List list;
   for (const Node& item : node.items()) {
-    Value pair = normalise_section(context, item, "pairs", {});
+    Value pair = normalise_section(context, item, section, {});
     const std::optional<Node> between = item.find("between");
     const bool is_pair = between && between->items().size() == 2;
     if (!is_pair)
       (between ? *between : item)
-          .error(context.diagnostics,
-                 "expected `between` with the names of two bodies, groups or parts of the terrain");
+          .error(context.diagnostics, "expected `between` with the names of " + expected);
     Map map;
     if (is_pair) put(map, *between, *between->value);
     if (pair.map()) put_all(map, std::move(*pair.map()));

@@ -22,6 +22,7 @@
 #include "math/over_time.h"
 #include "math/space.h"
 #include "plugin/registry.h"
+#include "record/link_type.h"
 #include "scenario/ground_store.h"
 #include "scenario/observed.h"
 #include "scenario/rock_table.h"
@@ -225,6 +226,18 @@ struct BodyPlan {
   std::shared_ptr<const OverTime> over_time;  ///< of `force`, or of the velocity of a driven body; null: none
   std::optional<Number> hold;                 ///< s; absent: it is not held
   int material = -1;
+};
+
+/// A link between two bodies, or a body and the terrain (world/links.h).
+struct LinkPlan {
+  std::string name;
+  LinkType type = LinkType::rod;
+  int a = -1, b = -1;                 ///< indices of bodies; b = -1: the terrain
+  Vec3 end_a = Vec3::Zero();          ///< m, as built; of a hinge both ends
+  Vec3 end_b = Vec3::Zero();          ///< m
+  Vec3 axis = Vec3::Zero();           ///< of a hinge in 3D
+  double length = 0;                  ///< m; of a hinge 0
+  double stiffness = 0, damping = 0;  ///< N/m and N s/m, of a spring
 };
 
 /// The material between two named things: a body, a group, `terrain` or `terrain.<part>`.
@@ -466,6 +479,7 @@ struct Scenario {
   std::optional<BlastPlan> blast;
   std::vector<RockGroup> rocks;
   std::vector<BodyPlan> bodies;
+  std::vector<LinkPlan> links;
   std::vector<BarrierPlan> barriers;
   std::vector<GatePlan> gates;
   std::optional<ForestPlan> forest;

@@ -107,7 +107,7 @@ SectionSpec document() {
           {"document",  "include",  "plugins",  "air",    "terrain",  "materials", "pairs",
            "blast",     "branches", "rocks",    "bodies", "barriers", "gates",     "forest",
            "clearance", "exposure", "observed", "solver", "stop",     "output",    "sweep",
-           "expect",    "answer",   "settle",   "shapes"}};
+           "expect",    "answer",   "settle",   "shapes", "links"}};
 }
 
 /// Of a terrain.
@@ -493,6 +493,15 @@ std::vector<SectionSpec> make_sections() {
        {vector("velocity", "m/s", "at the start, and for all time without `acceleration`"),
         spin("that it keeps"), optional(vector("acceleration", "m/s2", "constant"))},
        {}},
+      {"links",
+       {text("name", "of the link"), choice("type", {"hinge", "rod", "spring", "rope"}, "what it does"),
+        optional(vector("at", "m", "of a hinge: where it is, as built")),
+        optional(points("ends", "of a rod, spring or rope: where it holds both, as built")),
+        optional(vector("axis", "", "of a hinge in 3D: about which it turns")),
+        or_word(at_least(number("length", "m", "of a rod, a rope, a spring at rest"), 0), "as built"),
+        at_least(optional(number("stiffness", "N/m", "of a spring")), 0),
+        at_least(optional(number("damping", "N s/m", "of a spring")), 0)},
+       {"between"}},
       {"rocks.shape.parts",
        {or_else(vector("at", "m", "where the origin of the part is in the frame of the whole"), {0, 0}),
         or_else(number("turn", "rad", "of the part about its origin, counter-clockwise"), 0.0)},

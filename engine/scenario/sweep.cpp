@@ -115,9 +115,10 @@ std::vector<SweptValue> find_sweeps(Value& root, Diagnostics& diagnostics) {
 }
 
 bool may_be_swept(std::string_view path) {
-  constexpr std::array<std::string_view, 16> parts{
-      "branches", "method", "rock_contacts", "body_contacts", "gravity",  "air",   "terrain", "materials",
-      "pairs",    "blast",  "rocks",         "bodies",        "barriers", "gates", "forest",  "solver"};
+  constexpr std::array<std::string_view, 17> parts{
+      "branches", "method",    "rock_contacts", "body_contacts", "gravity", "air",
+      "terrain",  "materials", "pairs",         "blast",         "rocks",   "bodies",
+      "barriers", "gates",     "forest",        "solver",        "links"};
   const std::string_view part = path.substr(0, path.find('.'));
   return std::find(parts.begin(), parts.end(), part) != parts.end() && !path.ends_with(".name");
 }

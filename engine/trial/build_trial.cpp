@@ -9,6 +9,7 @@
 #include "trial/block_rows.h"
 #include "trial/branch_of.h"
 #include "trial/dimensions.h"
+#include "trial/make_links.h"
 #include "trial/repeat.h"
 #include "trial/scenario_error.h"
 #include "trial/start_checks.h"
@@ -480,6 +481,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
         throw ScenarioError(fmt::format("bodies.{}.position", rock.group), fault);
     return;
   }
+  make_links(scenario_, world);
   connect(trial, world, std::move(partners));
   if (const auto fault = start_fault(world, origin()))
     throw ScenarioError(fmt::format("bodies.{}.position", fault->body), fault->text);

@@ -220,12 +220,37 @@ void World<D>::assemble(double h, double warm) {
     problem_.contacts.push_back(row);
     impulses_.push_back(warm * contact.impulse);
   }
+  if (!links.empty()) find_reactions();
   if (problem_.width() == D)
     couple<D>();
   else
     couple<Problem::rows>();
   apply_laws(h);
   scale_by_island(h);
+}
+
+/// What the contacts do to the rows of links.
+template <int D>
+void World<D>::find_reactions() {
+  reactions_.clear();
+  contacts_of_assembly_.assign(links.assemblies(), {});
+  for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
+    reactions_.push_back(links.reactions(bodies, {contacts_[a].candidate, contacts_[a].antagonist},
+                                         {rows_[a].candidate, rows_[a].antagonist}));
+    for (const auto& reaction : reactions_.back()) contacts_of_assembly_[reaction.assembly].push_back(a);
+  }
+}
+
+/// Takes from the blocks of W in the row of contact a what links hold, and keeps them.
+template <int D>
+void World<D>::couple_by_links(int a) {
+  for (const auto& own : reactions_[a])
+    for (const int b : contacts_of_assembly_[own.assembly])
+      for (const auto& other : reactions_[b])
+        if (other.assembly == own.assembly) blocks_[b].noalias() -= own.b.transpose() * other.b;
+  problem_.contacts[a].w += blocks_[a];
+  for (int b = 0; b < static_cast<int>(contacts_.size()); ++b)
+    if (b != a && !blocks_[b].isZero(0)) problem_.couple(b, blocks_[b]);
 }
 
 /// The blocks of W. Blocks between two contacts have N = problem_.width() rows.
@@ -235,13 +260,14 @@ void World<D>::couple() {
   const auto of = [&](int a, int body) -> const auto& {
     return contacts_[a].candidate == body ? rows_[a].candidate : rows_[a].antagonist;
   };
-  const bool knows_bodies = contacts_.size() >= many_contacts && !deforms_ &&
+  const bool knows_bodies = contacts_.size() >= many_contacts && !deforms_ && links.empty() &&
                             std::none_of(bodies.begin(), bodies.end(), changes_shape<D>);
   problem_.bodies = static_cast<int>(bodies.size());
   for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
     problem_.first.push_back(problem_.couplings());
     if (knows_bodies) problem_.sides.emplace_back();
     int side = 0;
+    if (!links.empty()) blocks_.assign(contacts_.size(), Problem::Block::Zero());
     for (const int body : {contacts_[a].candidate, contacts_[a].antagonist}) {
       if (body < 0 || !bodies[body].moves()) continue;
       ContactColumns<D> mobility;  // M^-1 H of contact a
@@ -263,9 +289,13 @@ void World<D>::couple() {
         if (yields)
           w.template topLeftCorner<D, D>() += shape_mobility(bodies[body], shape_touch(contacts_[a], body),
                                                              shape_touch(contacts_[b], body), theta_h_);
-        problem_.couple(b, w);
+        if (links.empty())
+          problem_.couple(b, w);
+        else
+          blocks_[b] += w;
       }
     }
+    if (!links.empty()) couple_by_links(a);
   }
   problem_.first.push_back(problem_.couplings());
 }

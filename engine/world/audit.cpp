@@ -31,6 +31,9 @@ void World<D>::audit_energy(double h) {
     energy_in_doubt_ += error_of_turning * h * contacts_[a].impulse.template head<D>().norm() *
                         contacts_[a].turning.template head<D>().norm();
   }
+  const auto of_links = links.work(bodies);
+  energy_given_ += of_links.of_driven;
+  energy_in_doubt_ += of_links.in_doubt;
   doubt_springs(h);
   if (h == 0) {
     audit_impact();

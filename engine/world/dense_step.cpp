@@ -48,7 +48,7 @@ std::span<const WorldContact<D>> of_pair(const std::vector<WorldContact<D>>& con
 template <int D>
 bool World<D>::can_be_dense() const {
   return settings_.many != ManyBodies::exact && !settings_.one_by_one && bodies_meet() && !has_springs_ &&
-         !deforms_ &&
+         !deforms_ && links.empty() &&
          std::none_of(bodies.begin(), bodies.end(), [](const Body<D>& b) { return b.breathing.moves(); });
 }
 

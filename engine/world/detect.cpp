@@ -105,7 +105,7 @@ void World<D>::find_on_terrain(int body, double ahead) {
 template <int D>
 void World<D>::find_between(int candidate, int antagonist, double ahead) {
   const Body<D>&a = bodies[candidate], &b = bodies[antagonist];
-  if (!a.present || !b.present || (!a.moves() && !b.moves())) return;
+  if (!may_touch(candidate, antagonist)) return;
   points_.clear();
   const double reach = reach_of_step(candidate, antagonist);
   near_parts(work_, a.parts, a.pose(), b.parts, b.pose(), reach + slack(candidate) + slack(antagonist),

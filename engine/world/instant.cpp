@@ -15,6 +15,7 @@ typename World<D>::Outcome World<D>::impact() {
   last_solve_ = {};
   pressed_.clear();
   forget_steps();
+  pull_links();
   detect(0);
   keep_closed(event_share);
   drifts_.clear();
@@ -27,6 +28,14 @@ typename World<D>::Outcome World<D>::impact() {
   return outcome;
 }
 
+template <int D>
+void World<D>::pull_links() {
+  if (links.empty()) return;
+  links.begin_instant(bodies);
+  links.hold(bodies);
+  links.keeps_instant(bodies);
+}
+
 /// Lets the contacts collide at once; `plastic`: with e = 0. False if none approaches, so that nothing is
 /// solved.
 template <int D>
@@ -35,11 +44,12 @@ bool World<D>::solve_impact(bool plastic) {
   begin_manifolds();
   ask_laws(0);
   set_rest_at_impact(plastic);
+  if (!links.empty()) links.begin_instant(bodies);
   assemble(0, 0);
   const bool approaching =
       std::any_of(contacts_.begin(), contacts_.end(), [](const Contact& c) { return c.before[0] < 0; });
   if (approaching) {
-    solve_and_apply();
+    solve_instant();
     ++quality_.impact_problems;
   } else {
     for (Contact& c : contacts_) c.impulse.setZero();  // of the last step
@@ -79,13 +89,14 @@ void World<D>::set_rest_at_impact(bool plastic) {
   }
 }
 
-/// Joins the bodies that contacts move together.
+/// Joins the bodies that contacts and links move together.
 template <int D>
 void World<D>::join(const std::vector<Contact>& contacts) {
   joined_.begin(bodies.size());
   for (const Contact& c : contacts)
     if (c.antagonist >= 0 && bodies[c.candidate].moves() && bodies[c.antagonist].moves())
       joined_.join(c.candidate, c.antagonist);
+  links.join(bodies, joined_);
 }
 
 template <int D>
@@ -249,6 +260,7 @@ bool World<D>::collide_one_by_one() {
 
 #define FLYROCK_INSTANTIATE(D)                   \
   template World<D>::Outcome World<D>::impact(); \
+  template void World<D>::pull_links();          \
   template bool World<D>::collide_together();    \
   template bool World<D>::choose_bearers(bool);  \
   template void World<D>::take_back_bearers();   \

@@ -7,11 +7,11 @@
 namespace flyrock {
 
 /// Persistent contacts keep their gap only to second order in h. This stage closes the remaining gap by
-/// displacements M^-1 H_n lambda; the spin turns with its body, so that this gives no energy. A contact
-/// without impulse is only pushed out of penetration, never pulled closed. Where the gaps cannot all be
-/// closed, as of a sphere over several facets of a pit, the last passes only push, so that no contact is
-/// closed at the cost of another. The deep penetrations of fixed time steps (`exact` false) are kept, as in
-/// LMGC90; so are those of the nodes of deformable blocks.
+/// displacements M^-1 H_n lambda, with M^-1 of linked bodies (links.h); the spin turns with its body, so that
+/// this gives no energy. A contact without impulse is only pushed out of penetration, never pulled closed.
+/// Where the gaps cannot all be closed, as of a sphere over several facets of a pit, the last passes only
+/// push, so that no contact is closed at the cost of another. The deep penetrations of fixed time steps
+/// (`exact` false) are kept, as in LMGC90; so are those of the nodes of deformable blocks.
 template <int D>
 void World<D>::project_drift(bool exact) {
   if (contacts_.empty()) return;
@@ -22,6 +22,7 @@ void World<D>::project_drift(bool exact) {
   constexpr double deepest = 1e-3, left = 1e-6;
   constexpr double doubtful = 5e-4;  // deeper: the features may have slid off each other, and nothing is deep
   drift_.assign(bodies.size(), Body<D>::Rows::Zero());
+  push_.assign(links.empty() ? 0 : bodies.size(), Body<D>::Rows::Zero());
   swell_.assign(bodies.size(), 0.0);
   gaps_.clear();
   sunk_ = sunk_share_ = 0;
@@ -48,11 +49,18 @@ void World<D>::project_drift(bool exact) {
   };
   const auto close = [&](std::size_t a, double gap) {
     const double lambda = -gap / problem_.contacts[a].w(0, 0);
+    auto& moved = links.empty() ? drift_ : push_;
     for_bodies(a, [&](int i, const auto& columns) {
-      drift_[i] += bodies[i].inverse_mass_times(lambda * columns.col(0));
+      moved[i] += bodies[i].inverse_mass_times(lambda * columns.col(0));
       if (bodies[i].breathes())
         swell_[i] += bodies[i].breathing.inverse_mass(theta_h_) * bodies[i].breathing.side * lambda;
     });
+    if (links.empty()) return;
+    links.hold(bodies, push_);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      drift_[i] += push_[i];
+      push_[i].setZero();
+    }
   };
   for (int pass = 0; pass < closing; ++pass)
     for (std::size_t a = 0; a < contacts_.size(); ++a)

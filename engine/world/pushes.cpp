@@ -1,4 +1,4 @@
-// The pushes of contacts on the spins of bodies, which the gyroscopic moment of a step feels.
+// The pushes of contacts and links on the spins of bodies, which the gyroscopic moment of a step feels.
 
 #include "world/world.h"
 
@@ -38,6 +38,16 @@ bool World<D>::pushed_otherwise(double h) const {
   return false;
 }
 
+/// Solves the step from the velocities that the bodies have without contacts and links.
+template <int D>
+void World<D>::solve_step(double h, double warm) {
+  links.hold(bodies);
+  assemble(h, warm);
+  last_solve_ = {};
+  pressed_.clear();
+  if (!contacts_.empty()) solve_and_apply();
+}
+
 /// Solves the step anew with the pushes that it has found, from the impulses that it has found.
 template <int D>
 void World<D>::solve_with_found_pushes(double h) {
@@ -50,14 +60,14 @@ void World<D>::solve_with_found_pushes(double h) {
     body.w = free_spin(body, h, settings_.theta, foreseen_[i]);
     free_[i] = body.velocity();
   }
-  assemble(h, 1);
-  solve_and_apply();
+  solve_step(h, 1);
 }
 
 #define FLYROCK_INSTANTIATE(D)                                                \
   template Space<D>::Spin World<D>::foreseen_push(std::size_t, double) const; \
   template Space<D>::Spin World<D>::push_of_contacts(std::size_t) const;      \
   template bool World<D>::pushed_otherwise(double) const;                     \
+  template void World<D>::solve_step(double, double);                         \
   template void World<D>::solve_with_found_pushes(double)
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);

@@ -12,7 +12,7 @@ namespace flyrock {
 template <int D>
 void World<D>::apply_laws(double h) {
   rebounds_.resize(contacts_.size());
-  spring_rate_ = 0;
+  spring_rate_ = links.fastest();
   damper_rates_.assign(contacts_.size(), 0.0);
   for (std::size_t a = 0; a < contacts_.size(); ++a) {
     const Contact& contact = contacts_[a];
@@ -124,6 +124,24 @@ void World<D>::solve_and_apply() {
         push_shape<D>(bodies[i], shape_touch(contact, i), contact.impulse.template head<D>(), theta_h_);
       unsolved_[i] = {result.residual, time};
     });
+  }
+  links.hold(bodies);
+}
+
+/// Solves the impact of the contacts, again until just those ropes pull that are taut.
+template <int D>
+void World<D>::solve_instant() {
+  constexpr int most = 12;
+  velocities_.clear();
+  for (const Body<D>& body : bodies) velocities_.push_back(body.velocity());
+  for (int again = 0;; ++again) {
+    solve_and_apply();
+    if (links.keeps_instant(bodies) || again == most) return;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      bodies[i].v = velocities_[i].template head<D>();
+      bodies[i].w = Space<D>::spin_of(velocities_[i]);
+    }
+    assemble(0, 0);
   }
 }
 
@@ -264,6 +282,7 @@ Vec<D> World<D>::stretch_after(int a, double duration) const {
   template void World<D>::apply_laws(double);              \
   template SolveResult World<D>::solve();                  \
   template void World<D>::solve_and_apply();               \
+  template void World<D>::solve_instant();                 \
   template void World<D>::measure_after(double);           \
   template double World<D>::energy_of(int) const;          \
   template void World<D>::find_shocks(double);             \

@@ -65,7 +65,7 @@ void World<D>::forget_steps() {
 template <int D>
 typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   if (dense_) return dense_step(h);
-  constexpr int most_cuts = 4, most_refinements = 4, most_refusals = 12, most_pushes = 3;
+  constexpr int most_cuts = 4, most_refinements = 4, most_refusals = 12, most_pushes = 3, most_turns = 12;
   const double theta = settings_.theta;
   by_contacts_.resize(bodies.size(), Space<D>::no_spin());
   foreseen_.resize(bodies.size());
@@ -101,6 +101,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
       continue;
     }
     measure_before(h);
+    if (!links.empty()) links.begin_step(bodies, starts_, h, theta);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       Body<D>& body = bodies[i];
       body.v += h * body.acceleration(gravity_);
@@ -112,11 +113,10 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     }
     begin_manifolds();
     ask_laws(h);
-    assemble(h, last_step_ > 0 ? h / last_step_ : 1);
-    last_solve_ = {};
-    pressed_.clear();
-    if (!contacts_.empty()) solve_and_apply();
+    solve_step(h, last_step_ > 0 ? h / last_step_ : 1);
     for (int again = 0; again < most_pushes && pushed_otherwise(h); ++again) solve_with_found_pushes(h);
+    for (int again = 0; again < most_turns && !links.keeps_step(bodies, starts_); ++again)
+      solve_with_found_pushes(h);
     if (deforms_) measure_after(h);  // in the frame of the block in the middle of the step, which turns on
     drift(theta * h);
     if (!deforms_) measure_after(h);
@@ -161,6 +161,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (bodies[i].moves()) by_contacts_[i] = push_of_contacts(i) / h;
   project_drift(cut);
+  if (!links.empty()) links.end_step(bodies);
   time += h;
   last_step_ = h;
   finish_bodies();
@@ -222,7 +223,7 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
     boxes_.push_back(swept_box<D>(motions_[i], bodies[i].size + greatest_swell(motions_[i], h), h));
   for (const auto& [i, j] : broad_phase_.template pairs<D>(boxes_)) {
     const Body<D>&a = bodies[i], &b = bodies[j];
-    if (!a.present || !b.present || (!a.moves() && !b.moves())) continue;
+    if (!may_touch(i, j)) continue;
     const auto held_here = held_in_step(i, j);
     if (pass_held && !held_here.list.empty()) continue;
     const TouchSearch search = search_for(held_here, i, j);

@@ -57,6 +57,7 @@ void World<D>::release_held() {
     body.hold.reset();
     forget_steps();
   }
+  pull_links();
 }
 
 template <int D>
@@ -123,6 +124,7 @@ double World<D>::total_energy() const {
     if (body.moves()) energy += body.kinetic_energy() - body.mass * gravity_.dot(body.x);
   for (const Body<D>& body : bodies)
     if (changes_shape(body)) energy += potential_energy_of_shape(body);
+  energy += links.energy(bodies);
   for (const Contact& c : last_) {
     // Of one that has opened, the features may be anywhere.
     if (c.law.condition != NormalCondition::penalty || !c.carried) continue;

@@ -14,6 +14,7 @@
 #include "solver/restitution.h"
 #include "world/contact_rows.h"
 #include "world/joined_bodies.h"
+#include "world/links.h"
 #include "world/motions.h"
 #include "world/pair_laws.h"
 #include "world/phase_clock.h"
@@ -119,6 +120,7 @@ class World {
   double time = 0;
   bool settling = false;  ///< no contact bounces (flight/settle.h)
   std::vector<Body<D>> bodies;
+  Links<D> links;  ///< between the bodies; a world with links moves in steps, none of them dense
   /// From where the coordinates of the world count, in those of the scenario [m]. Laws see the latter.
   Vec<D> origin = Vec<D>::Zero();
 
@@ -126,6 +128,11 @@ class World {
   const Vec<D>& gravity() const { return gravity_; }
   const WorldSettings& settings() const { return settings_; }
   bool bodies_meet() const { return settings_.body_contacts && bodies.size() > 1; }
+  /// Whether two bodies may touch, one of which contacts move.
+  bool may_touch(int a, int b) const {
+    return bodies[a].present && bodies[b].present && (bodies[a].moves() || bodies[b].moves()) &&
+           !links.keeps_apart(a, b);
+  }
   const std::vector<Contact>& contacts() const { return contacts_; }
   /// The memory of searches, for those that a flight makes between the bodies.
   Workspace& workspace() { return work_; }
@@ -186,6 +193,9 @@ class World {
   /// The length of the next step: the fixed one, or chosen by error [s].
   double step_length();
 
+  /// Takes the velocities away that links do not let the bodies have, as where the scenario gives them.
+  void pull_links();
+
   /// Solves the impacts of the contacts that are closed now (instant.cpp). Velocities jump; time does not
   /// advance. With `one_by_one`, the contact that approaches fastest collides as if it were alone, then the
   /// next one, until none is faster than rest_speed; one problem of all contacts then stops what still
@@ -235,12 +245,12 @@ class World {
   /// Whether a contact slips faster than a twentieth of the speed of one of its bodies.
   bool slips(const Contact& contact, int body) const;
 
-  /// Kinetic energy, potential energy (height above the origin) and energy of compressed springs (`penalty`)
-  /// [J].
+  /// Kinetic energy, potential energy (height above the origin) and energy of springs: of links, and of
+  /// compressed contacts (`penalty`) [J].
   double total_energy() const;
   /// The energy that has come from outside since the world was made [J]: the work of the air and of driven
-  /// bodies, and the energy that impacts gain by their laws. If nothing is wrong, total_energy never exceeds
-  /// its start value plus this energy, apart from the error of the scheme.
+  /// bodies, also by links, and the energy that impacts gain by their laws. If nothing is wrong, total_energy
+  /// never exceeds its start value plus this energy, apart from the error of the scheme.
   double energy_given() const { return energy_given_; }
   /// The energy by which the steps so far may err [J]: of each contact a tenth of its impulse times the speed
   /// by which its lever arms turned in the step; of a spring, which swings by the angle a in a step, a^2 / 4
@@ -367,6 +377,8 @@ class World {
   void assemble(double h, double warm);
   template <int N>
   void couple();
+  void find_reactions();
+  void couple_by_links(int a);
   void scale_by_island(double h);
 
   // rebound.cpp: solves the friction problem with restitution and applies the impulses to the bodies; records
@@ -375,6 +387,7 @@ class World {
   void apply_spring(int a, double h);
   SolveResult solve();
   void solve_and_apply();
+  void solve_instant();
   double most_ratio_of_speeds() const;
   Vec<D> driven_approach(std::size_t a) const;
   bool throws();
@@ -419,6 +432,7 @@ class World {
   typename Space<D>::Spin foreseen_push(std::size_t body, double h) const;
   typename Space<D>::Spin push_of_contacts(std::size_t body) const;
   bool pushed_otherwise(double h) const;
+  void solve_step(double h, double warm);
   void solve_with_found_pushes(double h);
 
   // project_drift.cpp: closes the gaps that a step leaves
@@ -517,6 +531,10 @@ class World {
   std::vector<Row> last_after_;                ///< of last_, while a step may still be given up
   std::vector<Row> start_;                     ///< start impulses, kept only if hard problems are reported
   std::vector<std::vector<int>> contacts_of_;  ///< [body], for bodies that contacts move
+  /// Of each contact, and the contacts of each assembly of links; empty: no links
+  std::vector<std::vector<typename Links<D>::Reaction>> reactions_;
+  std::vector<std::vector<int>> contacts_of_assembly_;
+  std::vector<typename Problem::Block> blocks_;  ///< that couple a contact to each other one
   Islands<D> islands_;
   std::vector<double> island_speed_;
   std::vector<double> island_gain_;  ///< J, energy that an island gains, minus what rounding allows
@@ -524,6 +542,7 @@ class World {
   std::vector<typename Space<D>::Spin> by_contacts_;
   std::vector<typename Space<D>::Spin> foreseen_;  ///< rad/s, of each body, that change as this step takes it
   std::vector<typename Body<D>::Rows> free_;       ///< velocity of each body without the contacts of the step
+  std::vector<typename Body<D>::Rows> velocities_;  ///< of each body, before an impact
   /// m/s2 and rad/s2, of each body: the rate of its velocity in the last step; empty: unknown
   std::vector<typename Body<D>::Rows> gains_;
   std::vector<double> doubt_;          ///< m/s, of each body
@@ -537,8 +556,9 @@ class World {
   std::vector<PairLaws*> laws_;      ///< those with memory of a pair, each once
   std::vector<double> memory_;       ///< memory of the laws at the start of the step
   std::vector<typename Body<D>::Rows> drift_;
-  std::vector<double> swell_;                ///< m, of the radii of pneumatic disks, as drift_
-  std::vector<std::optional<double>> gaps_;  ///< gaps of the contacts whose drift is projected out
+  std::vector<typename Body<D>::Rows> push_;  ///< of drift_, by one contact and the links
+  std::vector<double> swell_;                 ///< m, of the radii of pneumatic disks, as drift_
+  std::vector<std::optional<double>> gaps_;   ///< gaps of the contacts whose drift is projected out
 };
 
 }  // namespace flyrock

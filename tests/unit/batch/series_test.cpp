@@ -89,7 +89,7 @@ TEST_CASE("measures of a contact over time") {
   const std::vector<SeriesContact> rows = contacts_of(first_trial(loaded("tests/unit/batch/over_time.yaml")));
   const auto value = [&](const std::string& a, const std::string& b, const std::string& quantity,
                          const std::string& of_time, double time = 0) {
-    return ContactMeasure{a, b, quantity, of_time, time}.value(rows);
+    return ContactMeasure{a, b, quantity, {of_time, time, false}}.value(rows);
   };
   for (const char* of_time : {"mean", "max", "min", "final"})
     CHECK(value("lower", "terrain", "rn", of_time).value == Approx(2 * 9.81).epsilon(1e-9));
