@@ -231,6 +231,7 @@ DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
   if (node.value->is_null()) return terrain;  // already reported
   const std::size_t errors = context.diagnostics.errors_given();
   const std::string* type = node.find("type")->value->text();
+  if (const auto crs = node.find("crs"); crs && crs->value->text()) context.crs = *crs->value->text();
   const auto use = context.dimension == 2 && type && *type == "section"
                        ? decode_section_terrain(context, node, terrain.plan)
                        : decode_plugin(context, node, PluginKind::terrain);
