@@ -423,7 +423,8 @@ std::vector<SectionSpec> make_sections() {
       {"blast.scatter", scatter_keys(), {}},
       {"blast.face",
        {optional(file("mesh", "the face as triangles, an OBJ, PLY or STL file in metres")),
-        optional(file("points", "a table `x, y, z` of measured points of the face")),
+        optional(file("points", "measured points of the face: a table `x, y, z`, XYZ or LAS")),
+        optional(at_most(at_least(integer("class", "of the points of a LAS file; all where it is left out"), 0), 255)),
         optional(file("profiles",
                       "a table `hole, depth, distance`: the horizontal distance from the axis of a "
                       "hole to the face, at right angles to its row")),
