@@ -35,7 +35,8 @@ inline std::string las_of(const std::vector<LasPoint>& points, const LasKind& ki
   const std::size_t head_size = kind.minor == 4 ? 375 : 227;
   std::string keys;
   if (kind.epsg > 0) {
-    const std::vector<std::uint16_t> numbers = {1, 1, 0, 2, 3072, 0, 1, static_cast<std::uint16_t>(kind.epsg),
+    const std::vector<std::uint16_t> numbers = {1,    1, 0, 2,
+                                                3072, 0, 1, static_cast<std::uint16_t>(kind.epsg),
                                                 3076, 0, 1, static_cast<std::uint16_t>(kind.linear_unit)};
     keys.assign(54 + 2 * numbers.size(), '\0');
     std::memcpy(keys.data() + 2, "LASF_Projection", 15);

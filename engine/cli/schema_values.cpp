@@ -209,7 +209,10 @@ Json SchemaValues::layer() {
   Json properties = {{"where", {{"type", "object"}, {"description", "values of attributes"}}}};
   for (const ParamSpec& key : section_spec("layer").keys)
     properties[key.name] = {{"type", "string"}, {"description", key.doc}};
-  return {{"type", "object"}, {"properties", std::move(properties)}, {"required", {"layer"}}, {"additionalProperties", false}};
+  return {{"type", "object"},
+          {"properties", std::move(properties)},
+          {"required", {"layer"}},
+          {"additionalProperties", false}};
 }
 
 Json SchemaValues::points(const ParamSpec& spec, int coordinates, const ValuePlace& place) {
@@ -270,7 +273,8 @@ Json SchemaValues::value(const ParamSpec& spec, const ValuePlace& place) {
     case ParamType::points:
       return points(spec, place.dimension, place);
     case ParamType::plan_points:
-      return place.dimension == 3 ? Json{{"anyOf", {points(spec, 2, place), layer()}}} : points(spec, 2, place);
+      return place.dimension == 3 ? Json{{"anyOf", {points(spec, 2, place), layer()}}}
+                                  : points(spec, 2, place);
     case ParamType::shapes:
       return reference(fmt::format("parts_{}D", place.dimension));
     case ParamType::records:

@@ -47,8 +47,8 @@ class Works {
   std::size_t first_after(double x) const {
     const auto& points = profile_.points;
     if (!(x >= profile_.x_min() && x < profile_.x_max()))
-      fail(fmt::format("begins at x = {:.6g} m, the profile goes from {:.6g} to {:.6g} m", x, profile_.x_min(),
-                       profile_.x_max()));
+      fail(fmt::format("begins at x = {:.6g} m, the profile goes from {:.6g} to {:.6g} m", x,
+                       profile_.x_min(), profile_.x_max()));
     const auto after = std::upper_bound(points.begin(), points.end(), x,
                                         [](double value, const Vec2& point) { return value < point.x(); });
     return static_cast<std::size_t>(after - points.begin());
@@ -82,12 +82,14 @@ class Works {
   /// Between its ends the outline lies on one side of the ground, and the ground on the other side of it.
   void check_side(const std::vector<Vec2>& outline, int side) const {
     const auto refuse = [&](double x) {
-      fail(fmt::format("meets the ground at x = {:.6g} m, before its far side does: expected gentler ground, "
-                       "or other measures",
-                       x));
+      fail(
+          fmt::format("meets the ground at x = {:.6g} m, before its far side does: expected gentler ground, "
+                      "or other measures",
+                      x));
     };
     for (std::size_t i = 1; i + 1 < outline.size(); ++i)
-      if (const double x = outline[i].x(); x >= profile_.x_max() || side * (outline[i].y() - profile_.height(x)) <= 0)
+      if (const double x = outline[i].x();
+          x >= profile_.x_max() || side * (outline[i].y() - profile_.height(x)) <= 0)
         refuse(x);
     for (const Vec2& point : profile_.points)
       for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
@@ -100,10 +102,11 @@ class Works {
 
   /// The outline takes the place of the points from `after` to the end of `segment`, which stays.
   void replace(const std::vector<Vec2>& outline, std::size_t after, std::size_t segment) {
-    Profile made = {.points = {profile_.points.begin(), profile_.points.begin() + static_cast<std::ptrdiff_t>(after)},
-                    .part = {profile_.part.begin(), profile_.part.begin() + static_cast<std::ptrdiff_t>(after) - 1},
-                    .parts = profile_.parts,
-                    .faces = profile_.faces};
+    Profile made = {
+        .points = {profile_.points.begin(), profile_.points.begin() + static_cast<std::ptrdiff_t>(after)},
+        .part = {profile_.part.begin(), profile_.part.begin() + static_cast<std::ptrdiff_t>(after) - 1},
+        .parts = profile_.parts,
+        .faces = profile_.faces};
     const auto go_to = [&](const Vec2& point, int part) {
       if (point == made.points.back()) return;
       made.points.push_back(point);
@@ -129,9 +132,10 @@ Profile with_earthworks(Profile profile, const Earthworks& works) {
   Works put(profile);
   std::optional<double> edge;
   if (const auto& ditch = works.ditch)
-    edge = put.put("ditch", ditch->x, {{run_of(ditch->depth, ditch->slope), -ditch->depth}, {ditch->width, 0}},
-                   direction(ditch->slope), -1)
-               .x();
+    edge =
+        put.put("ditch", ditch->x, {{run_of(ditch->depth, ditch->slope), -ditch->depth}, {ditch->width, 0}},
+                direction(ditch->slope), -1)
+            .x();
   if (const auto& bund = works.bund) {
     const Vec2 down = {direction(bund->slope).x(), -direction(bund->slope).y()};
     put.put("bund", bund->x ? *bund->x : edge.value_or(0) + bund->distance,

@@ -29,10 +29,10 @@ std::filesystem::path gdal_module() {
 void* gdal_entry_point(const std::string& where, const char* entry, const std::string& conversion) {
   const std::filesystem::path module = gdal_module();
   if (!std::filesystem::exists(module))
-    throw PluginError(
-        fmt::format("{}: reading this format needs GDAL, which this flyrock does not have: install its package "
-                    "flyrock-gdal, or libgdal-dev and build flyrock again, or {}",
-                    where, conversion));
+    throw PluginError(fmt::format(
+        "{}: reading this format needs GDAL, which this flyrock does not have: install its package "
+        "flyrock-gdal, or libgdal-dev and build flyrock again, or {}",
+        where, conversion));
   std::string fault;
   void* handle = open_shared_object(module.string(), fault);
   if (!handle) throw PluginError(fmt::format("{}: cannot load {}: {}", where, module.string(), fault));

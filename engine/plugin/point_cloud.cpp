@@ -20,7 +20,9 @@ namespace {
 
 constexpr std::size_t most_points = 100'000'000;
 
-std::string ending_of(const std::string& path) { return lower(path.substr(std::min(path.rfind('.'), path.size()))); }
+std::string ending_of(const std::string& path) {
+  return lower(path.substr(std::min(path.rfind('.'), path.size())));
+}
 
 class CloudFile {
  public:
@@ -93,12 +95,13 @@ class LasFile : CloudFile {
     const unsigned format = static_cast<unsigned char>(head[104]);
     constexpr unsigned compressed = 0xc0;
     if ((format & compressed) != 0) refuse_compressed();
-    if (format >= least_lengths.size()) fail(fmt::format("has points of format {}, expected 0 to 10", format));
+    if (format >= least_lengths.size())
+      fail(fmt::format("has points of format {}, expected 0 to 10", format));
     format_ = format;
     length_ = number_at<std::uint16_t>(head, 105);
     if (length_ < least_lengths[format_])
-      fail(fmt::format("has records of {} bytes, expected at least {} in format {}", length_, least_lengths[format_],
-                       format_));
+      fail(fmt::format("has records of {} bytes, expected at least {} in format {}", length_,
+                       least_lengths[format_], format_));
     count_ = number_at<std::uint32_t>(head, 107);
     if (minor == 4 && number_at<std::uint64_t>(head, 247) > 0) count_ = number_at<std::uint64_t>(head, 247);
     for (int k = 0; k < 3; ++k) {
@@ -108,14 +111,16 @@ class LasFile : CloudFile {
     if (!scale_.allFinite() || !offset_.allFinite() || !(scale_.minCoeff() > 0))
       fail("has a scale or an offset that is no number above 0 in its head");
     if (first_ < head_size_ || count_ > (size_ - std::min<std::uint64_t>(first_, size_)) / length_)
-      fail(fmt::format("announces {} points of {} bytes from byte {} on, it ends at {}: it was cut, copy it again",
-                       count_, length_, first_, size_));
+      fail(fmt::format(
+          "announces {} points of {} bytes from byte {} on, it ends at {}: it was cut, copy it again", count_,
+          length_, first_, size_));
   }
 
   [[noreturn]] void refuse_compressed() const {
     const std::string stem = path_.substr(path_.rfind('/') + 1);
-    fail(fmt::format("is compressed (LAZ): `pdal translate {0} points.las` or `laszip -i {0} -o points.las` unpacks it",
-                     stem));
+    fail(fmt::format(
+        "is compressed (LAZ): `pdal translate {0} points.las` or `laszip -i {0} -o points.las` unpacks it",
+        stem));
   }
 
   /// The system of coordinates, in well-known text or as keys of GeoTIFF.
@@ -140,7 +145,8 @@ class LasFile : CloudFile {
   void read_text(std::string text) {
     text.resize(std::min(text.find('\0'), text.size()));
     const Projection system = projection_of(text);
-    if (system.is_geographic) fail("is in degrees, expected metres: project it first, for example with `pdal`");
+    if (system.is_geographic)
+      fail("is in degrees, expected metres: project it first, for example with `pdal`");
     if (!system.fault.empty()) return;
     cloud_.crs = system.crs;
     cloud_.plan_unit = system.plan_unit;
@@ -150,13 +156,15 @@ class LasFile : CloudFile {
     constexpr unsigned model_type = 1024, projected_code = 3072, linear_unit = 3076;
     constexpr unsigned geographic = 2, metre = 9001, foot = 9002, us_foot = 9003;
     for (std::size_t at = 8; at + 8 <= bytes.size(); at += 8) {
-      const unsigned key = number_at<std::uint16_t>(bytes, at), place = number_at<std::uint16_t>(bytes, at + 2),
+      const unsigned key = number_at<std::uint16_t>(bytes, at),
+                     place = number_at<std::uint16_t>(bytes, at + 2),
                      value = number_at<std::uint16_t>(bytes, at + 6);
       if (place != 0) continue;  // no short number
       if (key == model_type && value == geographic)
         fail("is in degrees, expected metres: project it first, for example with `pdal`");
       if (key == projected_code && value > 0 && value < 32767) cloud_.crs = fmt::format("EPSG:{}", value);
-      if (key == linear_unit) cloud_.plan_unit = value == metre ? "m" : value == foot ? "ft" : value == us_foot ? "us_ft" : "";
+      if (key == linear_unit)
+        cloud_.plan_unit = value == metre ? "m" : value == foot ? "ft" : value == us_foot ? "us_ft" : "";
     }
   }
 
@@ -180,7 +188,8 @@ class LasFile : CloudFile {
         if (of_class && group != *of_class) continue;
         Vec3 place;
         for (int k = 0; k < 3; ++k)
-          place[k] = offset_[k] + scale_[k] * number_at<std::int32_t>(block, at + 4 * static_cast<std::size_t>(k));
+          place[k] =
+              offset_[k] + scale_[k] * number_at<std::int32_t>(block, at + 4 * static_cast<std::size_t>(k));
         add(place);
       }
     }
@@ -192,9 +201,11 @@ class LasFile : CloudFile {
     for (const auto& [group, count] : counts)
       list += fmt::format("{}{} ({} points)", list.empty() ? "" : ", ", group, count);
     if (of_class && !counts.contains(*of_class))
-      fail(list.empty() ? std::string("has no point") : fmt::format("has no point of class {}, it has {}", *of_class, list));
+      fail(list.empty() ? std::string("has no point")
+                        : fmt::format("has no point of class {}, it has {}", *of_class, list));
     if (!of_class && counts.size() > 1)
-      cloud_.notes.push_back(fmt::format("all its points count, of the classes {}: `class: 2` takes the ground alone", list));
+      cloud_.notes.push_back(
+          fmt::format("all its points count, of the classes {}: `class: 2` takes the ground alone", list));
   }
 
   std::uint32_t head_size_ = 0, records_ = 0;
@@ -229,11 +240,13 @@ class XyzFile : CloudFile {
     if (begin == line.npos || line[begin] == '#' || line.substr(begin).starts_with("//")) return;
     Vec3 place;
     for (int k = 0; k < 3; ++k) {
-      const std::size_t end = begin == line.npos ? begin : std::min(line.find_first_of(separators, begin), line.size());
+      const std::size_t end =
+          begin == line.npos ? begin : std::min(line.find_first_of(separators, begin), line.size());
       const std::string_view word = begin == line.npos ? std::string_view() : line.substr(begin, end - begin);
       if (!to_number(word, place[k])) {
         if (number == 1 && k == 0) return;  // heads
-        throw PluginError(fmt::format("{}: {}:{}: expected x, y and z, apart by blanks or commas{}", who_, path_, number,
+        throw PluginError(fmt::format("{}: {}:{}: expected x, y and z, apart by blanks or commas{}", who_,
+                                      path_, number,
                                       word.empty() ? ", the line ends before" : ", with decimal points"));
       }
       begin = line.find_first_not_of(separators, end);

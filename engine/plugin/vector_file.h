@@ -40,8 +40,8 @@ inline constexpr const char* own_system = "own";
 /// PluginError, which begins with the path.
 VectorLayer read_vector_layer(const std::string& path, const std::string& layer, const std::string& crs);
 
-/// The entry of flyrock_gdal.so: fills `found`, or says in `wrong` what is wrong with the file; where no layer
-/// has the name, `names` has those that there are.
+/// The entry of flyrock_gdal.so: fills `found`, or says in `wrong` what is wrong with the file; where no
+/// layer has the name, `names` has those that there are.
 using VectorReader = void (*)(const std::string& path, const std::string& layer, const std::string& crs,
                               VectorLayer& found, std::vector<std::string>& names, std::string& wrong);
 inline constexpr const char* vector_entry = "flyrock_read_vectors";

@@ -73,7 +73,8 @@ std::vector<Vec3> points_of_cloud(DecodeContext& context, const Node& node, cons
   try {
     PointCloud cloud = read_point_cloud("points", file, of_class);
     if (!cloud.plan_unit.empty() && cloud.plan_unit != "m")
-      throw PluginError(fmt::format("points: {}: its coordinates are in feet, expected metres: `pdal` projects it", file));
+      throw PluginError(
+          fmt::format("points: {}: its coordinates are in feet, expected metres: `pdal` projects it", file));
     context.tables.push_back(fmt::format("points of the face of {}: {} of {} points", *node.value->text(),
                                          cloud.points.size(), cloud.all));
     return std::move(cloud.points);
@@ -319,9 +320,9 @@ std::unique_ptr<const FaceOfBlast> read_face(DecodeContext& context, const Node&
   if (section.given("track")) read_depths("track", {"depth", "x", "y", "z"}, face->tracks_);
   if (given[0] == "mesh") face->survey_ = survey_of_mesh(context, *node->find("mesh"), section.text("mesh"));
   if (given[0] == "points")
-    face->survey_ = survey_of_points(context, *node->find("points"), section.text("points"),
-                                     heads_among(heads, point_columns()),
-                                     section.given("class") ? std::optional(section.integer("class")) : std::nullopt);
+    face->survey_ = survey_of_points(
+        context, *node->find("points"), section.text("points"), heads_among(heads, point_columns()),
+        section.given("class") ? std::optional(section.integer("class")) : std::nullopt);
   if (given[0] == "profiles") read_depths("profiles", {"depth", "distance"}, face->profiles_);
   if (context.diagnostics.errors_given() != before) return nullptr;
   SurveyedFace& facts = plan.face.emplace();

@@ -75,8 +75,8 @@ std::shared_ptr<TerrainShape3> try_to_build(DecodeContext& context, const Node& 
   std::shared_ptr<TerrainShape3> shape;
   try {
     const auto outline = context.grounds->get(fmt::format("outline {} {}", seed, text), [&] {
-      return GroundStore::Made{std::make_shared<const DecodedTerrain>(
-          outline_of(context, node, use, terrain.plan, seed, shape))};
+      return GroundStore::Made{
+          std::make_shared<const DecodedTerrain>(outline_of(context, node, use, terrain.plan, seed, shape))};
     });
     TerrainPlan plan = std::move(terrain.plan);
     terrain = *std::static_pointer_cast<const DecodedTerrain>(outline);

@@ -70,12 +70,13 @@ class LayerOf {
 
   void refuse(const std::string& text) const {
     node_.error(context_.diagnostics,
-                fmt::format("{}: {} {}", file_, layer_.name.empty() ? "it" : "`" + printable(layer_.name) + "`", text));
+                fmt::format("{}: {} {}", file_,
+                            layer_.name.empty() ? "it" : "`" + printable(layer_.name) + "`", text));
   }
 
   /// A line for `check`: what was read, and from which system.
   void tell(const std::string& what) {
-    const std::string system = layer_.crs.empty()       ? "no system of its own"
+    const std::string system = layer_.crs.empty()      ? "no system of its own"
                                : layer_.is_transformed ? fmt::format("{} made {}", layer_.crs, context_.crs)
                                                        : layer_.crs;
     std::string line = fmt::format("layer {} of {}: {}, {}", printable(layer_.name), file_, what, system);
@@ -86,8 +87,10 @@ class LayerOf {
  private:
   /// Leaves the parts whose attribute has a value.
   bool choose(std::vector<VectorPart>& parts, const Node& wanted) const {
-    if (std::find(layer_.attributes.begin(), layer_.attributes.end(), wanted.key) == layer_.attributes.end()) {
-      refuse(fmt::format("has no attribute `{}`{}", printable(wanted.key), suggestion(wanted.key, layer_.attributes)));
+    if (std::find(layer_.attributes.begin(), layer_.attributes.end(), wanted.key) ==
+        layer_.attributes.end()) {
+      refuse(fmt::format("has no attribute `{}`{}", printable(wanted.key),
+                         suggestion(wanted.key, layer_.attributes)));
       return false;
     }
     const std::string value = text_of(*wanted.value);
@@ -122,8 +125,8 @@ bool is_closed(const std::vector<Vec3>& line) {
 /// The points of what a parameter takes: of one line, or of points in their order.
 std::optional<std::vector<Vec3>> only_line(const LayerOf& layer, const std::vector<VectorPart>& parts,
                                            const ParamSpec& spec) {
-  const bool all_points =
-      std::all_of(parts.begin(), parts.end(), [](const VectorPart& p) { return p.form == FeatureForm::point; });
+  const bool all_points = std::all_of(parts.begin(), parts.end(),
+                                      [](const VectorPart& p) { return p.form == FeatureForm::point; });
   if (all_points && parts.size() > 1) {
     std::vector<Vec3> places;
     for (const VectorPart& part : parts) places.push_back(part.lines.front().front());
@@ -138,7 +141,8 @@ std::optional<std::vector<Vec3>> only_line(const LayerOf& layer, const std::vect
   if (is_outline(spec) ? first.form == FeatureForm::region || is_closed(first.lines.front())
                        : first.form == FeatureForm::line) {
     if (first.lines.size() > 1) {
-      layer.refuse("has a polygon with holes, expected one without: take it as a zone, and `zone: NAME` here");
+      layer.refuse(
+          "has a polygon with holes, expected one without: take it as a zone, and `zone: NAME` here");
       return std::nullopt;
     }
     std::vector<Vec3> places = first.lines.front();
@@ -160,7 +164,8 @@ Value normalise_layer(DecodeContext& context, const Node& node, const ParamSpec&
   const bool fits = spec.type == ParamType::plan_points ? context.dimension == 3
                                                         : context.dimension == 2 && spec.name == "points";
   if (!fits) {
-    node.error(context.diagnostics, fmt::format("expected {}: a layer has places in plan", expected_text(spec)));
+    node.error(context.diagnostics,
+               fmt::format("expected {}: a layer has places in plan", expected_text(spec)));
     return {};
   }
   const std::size_t errors = context.diagnostics.errors_given();
@@ -170,7 +175,8 @@ Value normalise_layer(DecodeContext& context, const Node& node, const ParamSpec&
     if (!where->expect_map(context.diagnostics)) return {};
     for (const Node& entry : where->entries()) {
       const std::string text = text_of(*entry.value);
-      if (text.empty()) entry.error(context.diagnostics, "expected the value of an attribute: a text or a number");
+      if (text.empty())
+        entry.error(context.diagnostics, "expected the value of an attribute: a text or a number");
       put(wanted, entry, text_value(text));
     }
     put(map, *where, map_value(std::move(wanted)));
@@ -187,7 +193,8 @@ Value normalise_layer(DecodeContext& context, const Node& node, const ParamSpec&
   return map_value(std::move(map));
 }
 
-std::vector<std::vector<double>> layer_points(DecodeContext& context, const Node& node, const ParamSpec& spec) {
+std::vector<std::vector<double>> layer_points(DecodeContext& context, const Node& node,
+                                              const ParamSpec& spec) {
   const bool is_profile = context.dimension == 2;
   LayerOf layer(context, node);
   const auto parts = layer.read(is_profile ? own_system : context.crs);
@@ -222,9 +229,11 @@ std::vector<PlanPolygon> layer_region(DecodeContext& context, const Node& node) 
   std::vector<PlanPolygon> region;
   if (!parts) return region;
   for (const VectorPart& part : *parts) {
-    const bool is_region = part.form == FeatureForm::region || (part.form == FeatureForm::line && is_closed(part.lines[0]));
+    const bool is_region =
+        part.form == FeatureForm::region || (part.form == FeatureForm::line && is_closed(part.lines[0]));
     if (!is_region) {
-      layer.refuse(fmt::format("has {}, expected polygons", part.form == FeatureForm::line ? "an open line" : "a point"));
+      layer.refuse(fmt::format("has {}, expected polygons",
+                               part.form == FeatureForm::line ? "an open line" : "a point"));
       return {};
     }
     PlanPolygon polygon;

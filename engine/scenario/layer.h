@@ -15,10 +15,11 @@ bool is_layer(const Value& value);
 /// The layer itself is read when it is decoded, because it is transformed to the system of the terrain.
 Value normalise_layer(DecodeContext& context, const Node& node, const ParamSpec& spec);
 
-/// The points of a normalised layer in place of those of `spec`: of the only line, outline (`inside`) or point
-/// that it has, or of its points in their order; in 2D distances along the line in plan, and heights. Empty if
-/// something is wrong, which is reported.
-std::vector<std::vector<double>> layer_points(DecodeContext& context, const Node& node, const ParamSpec& spec);
+/// The points of a normalised layer in place of those of `spec`: of the only line, outline (`inside`) or
+/// point that it has, or of its points in their order; in 2D distances along the line in plan, and heights.
+/// Empty if something is wrong, which is reported.
+std::vector<std::vector<double>> layer_points(DecodeContext& context, const Node& node,
+                                              const ParamSpec& spec);
 
 /// The regions of a normalised layer: polygons with holes, and the insides of closed lines.
 std::vector<PlanPolygon> layer_region(DecodeContext& context, const Node& node);

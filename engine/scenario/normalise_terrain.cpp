@@ -108,7 +108,8 @@ Value normalise_terrain(DecodeContext& context, const Node& node) {
   Map& map = *terrain.map();
   const bool space = context.dimension == 3;
   for (const std::string& key : earthworks_of(context, node))
-    if (const auto work = node.find(key)) put(map, *work, normalise_section(context, *work, "terrain." + key, {}));
+    if (const auto work = node.find(key))
+      put(map, *work, normalise_section(context, *work, "terrain." + key, {}));
   if (const auto zones = node.find("zones")) put(map, *zones, normalise_zones(context, *zones));
   if (const auto faces = node.find("faces"))
     put(map, *faces, normalise_list_of(context, *faces, space ? "terrain.faces 3D" : "terrain.faces"));
@@ -151,7 +152,8 @@ std::vector<std::string> earthworks_of(DecodeContext& context, const Node& terra
   std::vector<std::string> keys;
   for (const char* key : {"ditch", "bund"}) {
     const auto is_own = [&](const ParamSpec& param) { return param.group() == key; };
-    const bool has_own = plugin && std::any_of(plugin->spec.params.begin(), plugin->spec.params.end(), is_own);
+    const bool has_own =
+        plugin && std::any_of(plugin->spec.params.begin(), plugin->spec.params.end(), is_own);
     if (context.dimension == 2 && !has_own) keys.emplace_back(key);
   }
   return keys;

@@ -122,8 +122,10 @@ ParamSpec north() {
 
 /// Of a ditch or a bund.
 ParamSpec slope_of_sides(double degrees) {
-  return at_most(above(or_else(number("slope", "rad", fmt::format("of its sides; {} deg", degrees)), degrees * pi / 180), 0),
-                 pi / 2);
+  return at_most(
+      above(or_else(number("slope", "rad", fmt::format("of its sides; {} deg", degrees)), degrees * pi / 180),
+            0),
+      pi / 2);
 }
 
 /// In place of an azimuth.
@@ -365,7 +367,8 @@ std::vector<SectionSpec> make_sections() {
        {"of"}},
       {"terrain.ditch",
        {number("x", "m", "where its near edge is"), above(number("width", "m", "of its level bottom"), 0),
-        above(number("depth", "m", "of the bottom below the ground at its near edge"), 0), slope_of_sides(45)},
+        above(number("depth", "m", "of the bottom below the ground at its near edge"), 0),
+        slope_of_sides(45)},
        {}},
       {"terrain.bund",
        {optional(number("x", "m", "where its near foot is; or by `distance` from a ditch")),
@@ -424,7 +427,8 @@ std::vector<SectionSpec> make_sections() {
       {"blast.face",
        {optional(file("mesh", "the face as triangles, an OBJ, PLY or STL file in metres")),
         optional(file("points", "measured points of the face: a table `x, y, z`, XYZ or LAS")),
-        optional(at_most(at_least(integer("class", "of the points of a LAS file; all where it is left out"), 0), 255)),
+        optional(at_most(
+            at_least(integer("class", "of the points of a LAS file; all where it is left out"), 0), 255)),
         optional(file("profiles",
                       "a table `hole, depth, distance`: the horizontal distance from the axis of a "
                       "hole to the face, at right angles to its row")),

@@ -98,11 +98,12 @@ class LayerReader {
     }
     if (crs == own_system) {
       if (!OSRIsGeographic(own) && std::abs(OSRGetLinearUnits(own, nullptr) - 1) < 1e-9) return {};
-      return fmt::format("is in {}, whose unit is no metre: `ogr2ogr -t_srs EPSG:NUMBER` transforms it", found_.crs);
+      return fmt::format("is in {}, whose unit is no metre: `ogr2ogr -t_srs EPSG:NUMBER` transforms it",
+                         found_.crs);
     }
     if (crs.empty())
-      return fmt::format("is in {}, the terrain does not say its system: write `crs: EPSG:NUMBER` in `terrain`",
-                         found_.crs);
+      return fmt::format(
+          "is in {}, the terrain does not say its system: write `crs: EPSG:NUMBER` in `terrain`", found_.crs);
     if (found_.crs == crs) return {};
     const std::unique_ptr<void, DestroySystem> to(OSRNewSpatialReference(nullptr));
     if (OSRSetFromUserInput(to.get(), crs.c_str()) != OGRERR_NONE)
@@ -113,13 +114,15 @@ class LayerReader {
     if (OSRIsSame(from.get(), to.get())) return {};
     transform_.reset(OCTNewCoordinateTransformation(from.get(), to.get()));
     found_.is_transformed = true;
-    return transform_ ? std::string() : fmt::format("is in {}, from which no way leads to {}", found_.crs, crs);
+    return transform_ ? std::string()
+                      : fmt::format("is in {}, from which no way leads to {}", found_.crs, crs);
   }
 
   bool lies_beyond_degrees() const {
     OGREnvelope extent;
     return OGR_L_GetExtent(layer_, &extent, TRUE) == OGRERR_NONE &&
-           std::max({std::abs(extent.MinX), std::abs(extent.MaxX), std::abs(extent.MinY), std::abs(extent.MaxY)}) > 360;
+           std::max({std::abs(extent.MinX), std::abs(extent.MaxX), std::abs(extent.MinY),
+                     std::abs(extent.MaxY)}) > 360;
   }
 
   bool is_wanted(OGRFeatureH feature) const {
@@ -166,7 +169,8 @@ class LayerReader {
       case wkbMultiPolygon:
       case wkbGeometryCollection:
         for (int i = 0; i < OGR_G_GetGeometryCount(geometry); ++i)
-          if (std::string wrong = add_geometry(OGR_G_GetGeometryRef(geometry, i), of); !wrong.empty()) return wrong;
+          if (std::string wrong = add_geometry(OGR_G_GetGeometryRef(geometry, i), of); !wrong.empty())
+            return wrong;
         return {};
       default:
         return fmt::format("is a {}, expected points, lines or polygons", OGR_G_GetGeometryName(geometry));
@@ -209,8 +213,8 @@ std::vector<std::string> drawing_layers(OGRLayerH layer) {
   return {names.begin(), names.end()};
 }
 
-std::string read_file(const std::string& path, const std::string& name, const std::string& crs, VectorLayer& found,
-                      std::vector<std::string>& names) {
+std::string read_file(const std::string& path, const std::string& name, const std::string& crs,
+                      VectorLayer& found, std::vector<std::string>& names) {
   GDALAllRegister();
   const std::unique_ptr<void, CloseVectors> dataset(
       GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr));

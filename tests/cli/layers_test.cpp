@@ -1,8 +1,8 @@
 // Layers of a GIS and of CAD in place of points: the same places in every form.
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
@@ -14,7 +14,8 @@ namespace {
 using namespace flyrock::test;
 using Json = nlohmann::json;
 
-constexpr const char* soft_points = "[[2600020, 1200000], [2600040, 1200000], [2600040, 1200060], [2600020, 1200060]]";
+constexpr const char* soft_points =
+    "[[2600020, 1200000], [2600040, 1200000], [2600040, 1200060], [2600020, 1200060]]";
 constexpr const char* road_points = "[[2600050, 1200000], [2600052, 1200060]]";
 constexpr const char* crest_points = "[[2600004, 1200010], [2600004, 1200050]]";
 
@@ -22,19 +23,26 @@ constexpr const char* crest_points = "[[2600004, 1200010], [2600004, 1200050]]";
 std::string scenario(const std::string& soft, const std::string& road, const std::string& crest,
                      const std::string& crs = "crs: EPSG:2056, ") {
   return "flyrock: 1\ndimension: 3\nmethod: lumped_mass\ntrials: 20\n"
-         "terrain:\n  { type: mesh, file: slope.obj, " + crs + "zones: [{ name: soft, polygon: " + soft + " }],\n"
+         "terrain:\n  { type: mesh, file: slope.obj, " +
+         crs + "zones: [{ name: soft, polygon: " + soft +
+         " }],\n"
          "    material: rock, materials: { soft: sand } }\n"
-         "materials:\n  rock: { restitution: { type: newton, en: 0.5 }, friction: { type: coulomb, mu: 0.4 } }\n"
+         "materials:\n  rock: { restitution: { type: newton, en: 0.5 }, friction: { type: coulomb, mu: 0.4 } "
+         "}\n"
          "  sand: { restitution: { type: newton, en: 0.1 }, friction: { type: coulomb, mu: 0.8 } }\n"
          "rocks:\n  - name: loose\n    density: 2700 kg/m3\n    shape: { type: sphere, radius: 0.3 m }\n"
-         "    release: { along: " + crest + ", above_ground: 1 m }\n"
+         "    release: { along: " +
+         crest +
+         ", above_ground: 1 m }\n"
          "    launch: { type: fixed, velocity: [8 m/s, 0 m/s, 0 m/s] }\n"
-         "gates: [{ name: road, line: " + road + " }]\nstop: { time: 60 s }\n";
+         "gates: [{ name: road, line: " +
+         road + " }]\nstop: { time: 60 s }\n";
 }
 
 void write_slope(const Folder& folder) {
   folder.write("slope.obj",
-               "v 2600000 1200000 40\nv 2600080 1200000 0\nv 2600080 1200060 0\nv 2600000 1200060 40\nf 1 2 3\nf 1 3 4\n");
+               "v 2600000 1200000 40\nv 2600080 1200000 0\nv 2600080 1200060 0\nv 2600000 1200060 40\nf 1 2 "
+               "3\nf 1 3 4\n");
 }
 
 std::string closed(const std::string& ring) {
@@ -42,15 +50,18 @@ std::string closed(const std::string& ring) {
 }
 
 std::string feature(const char* layer, const char* type, const std::string& coordinates) {
-  return fmt::format(R"({{"type":"Feature","properties":{{"Layer":"{}","number":{}}},"geometry":{{"type":"{}","coordinates":{}}}}})",
-                     layer, layer[0] == 's' ? 1 : 2, type, coordinates);
+  return fmt::format(
+      R"({{"type":"Feature","properties":{{"Layer":"{}","number":{}}},"geometry":{{"type":"{}","coordinates":{}}}}})",
+      layer, layer[0] == 's' ? 1 : 2, type, coordinates);
 }
 
 void write_site(const Folder& folder) {
-  folder.write("site.geojson",
-               R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::2056"}},"features":[)" +
-                   feature("soft", "Polygon", "[" + closed(soft_points) + "]") + "," +
-                   feature("road", "LineString", road_points) + "," + feature("crest", "LineString", crest_points) + "]}");
+  folder.write(
+      "site.geojson",
+      R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::2056"}},"features":[)" +
+          feature("soft", "Polygon", "[" + closed(soft_points) + "]") + "," +
+          feature("road", "LineString", road_points) + "," + feature("crest", "LineString", crest_points) +
+          "]}");
 }
 
 bool has_module() {
@@ -66,7 +77,8 @@ std::vector<std::array<double, 2>> stops_of(const Folder& folder, const std::str
   const Json ends = Json::parse(read(folder.path() / (out + "_json") / "ends-p0.geojson"));
   std::vector<std::array<double, 2>> stops;
   for (const Json& one : ends["features"])
-    stops.push_back({one["geometry"]["coordinates"][0].get<double>(), one["geometry"]["coordinates"][1].get<double>()});
+    stops.push_back(
+        {one["geometry"]["coordinates"][0].get<double>(), one["geometry"]["coordinates"][1].get<double>()});
   return stops;
 }
 
@@ -100,7 +112,8 @@ TEST_CASE("without the module of GDAL each layer is refused in one line with the
   }
 }
 
-TEST_CASE("zones, releases and gates stop the same rocks at the same places, whatever the form of their layer") {
+TEST_CASE(
+    "zones, releases and gates stop the same rocks at the same places, whatever the form of their layer") {
   if (!has_module()) return;
   const Folder folder;
   write_slope(folder);
@@ -108,7 +121,8 @@ TEST_CASE("zones, releases and gates stop the same rocks at the same places, wha
   folder.write("points.yaml", scenario(soft_points, road_points, crest_points));
   REQUIRE(call(folder, "run points.yaml --quiet -o points").code == 0);
   constexpr double same = 1e-6;
-  folder.write("geojson.yaml", scenario(where("site.geojson", "soft"), where("site.geojson", "road"), where("site.geojson", "crest")));
+  folder.write("geojson.yaml", scenario(where("site.geojson", "soft"), where("site.geojson", "road"),
+                                        where("site.geojson", "crest")));
   CHECK(worst_of(folder, "geojson") < same);
   if (shell(folder, "ogr2ogr --version").code != 0) return;
   const auto made = [&](const std::string& words) {
@@ -117,10 +131,13 @@ TEST_CASE("zones, releases and gates stop the same rocks at the same places, wha
     REQUIRE(output.code == 0);
   };
   made("-f GPKG site.gpkg site.geojson");
-  folder.write("gpkg.yaml", scenario(where("site.gpkg", "soft"), where("site.gpkg", "road"), where("site.gpkg", "crest")));
+  folder.write("gpkg.yaml",
+               scenario(where("site.gpkg", "soft"), where("site.gpkg", "road"), where("site.gpkg", "crest")));
   CHECK(worst_of(folder, "gpkg") < same);
-  for (const std::string kind : {"soft", "road", "crest"}) made(kind + ".shp site.geojson -where \"Layer='" + kind + "'\"");
-  folder.write("shp.yaml", scenario("{ layer: soft.shp }", "{ layer: road.shp, where: { number: 2 } }", "{ layer: crest.shp }"));
+  for (const std::string kind : {"soft", "road", "crest"})
+    made(kind + ".shp site.geojson -where \"Layer='" + kind + "'\"");
+  folder.write("shp.yaml", scenario("{ layer: soft.shp }", "{ layer: road.shp, where: { number: 2 } }",
+                                    "{ layer: crest.shp }"));
   CHECK(worst_of(folder, "shp") < same);
   CHECK(read(folder.path() / "shp/manifest.json").find("\"road.dbf\"") != std::string::npos);
   made("-f DXF site.dxf site.geojson -select Layer --config DXF_WRITE_HATCH NO");
@@ -151,26 +168,32 @@ TEST_CASE("a layer that fits not says why, and what to write") {
     CHECK(text.find(piece) != std::string::npos);
   };
   has(said(where("site.geojson", "sofd")), "has no feature whose `Layer` is `sofd`, did you mean `soft`?");
-  has(said("{ layer: site.geojson, where: { layer: soft } }"), "has no attribute `layer`, did you mean `Layer`?");
+  has(said("{ layer: site.geojson, where: { layer: soft } }"),
+      "has no attribute `layer`, did you mean `Layer`?");
   has(said(where("site.geojson", "road")), "has an open line, expected polygons");
   has(said("{ layer: site.geojson, name: zones }"), "has no layer `zones`, it has `site`");
-  has(said(where("site.geojson", "soft"), ""), "is in EPSG:2056, the terrain does not say its system: write `crs: EPSG:NUMBER`");
+  has(said(where("site.geojson", "soft"), ""),
+      "is in EPSG:2056, the terrain does not say its system: write `crs: EPSG:NUMBER`");
   has(said("{ layer: none.gpkg }"), "there is no file `none.gpkg`");
   folder.write("cut.gpkg", "SQLite format 3");
   has(said("{ layer: cut.gpkg }"), "is no file of layers that can be read");
   folder.write("s.yaml", scenario(soft_points, "{ layer: site.geojson }", crest_points));
-  has(call(folder, "check s.yaml").err, "has 3 parts of these features, expected one line: `where` chooses it by an attribute");
+  has(call(folder, "check s.yaml").err,
+      "has 3 parts of these features, expected one line: `where` chooses it by an attribute");
 }
 
 TEST_CASE("a profile is cut along a line with heights") {
   if (!has_module()) return;
   const Folder folder;
-  folder.write("line.geojson",
-               R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::2056"}},"features":[)"
-               R"({"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":[[2600000,1200000,30],[2600003,1200004,20],[2600063,1200084,0]]}}]})");
+  folder.write(
+      "line.geojson",
+      R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::2056"}},"features":[)"
+      R"({"type":"Feature","properties":{},"geometry":{"type":"LineString","coordinates":[[2600000,1200000,30],[2600003,1200004,20],[2600063,1200084,0]]}}]})");
   folder.write("s.yaml",
-               "flyrock: 1\ndimension: 2\nmethod: ballistic\nterrain: { type: profile, points: { layer: line.geojson } }\n"
-               "rocks:\n  - { name: a, density: 2700, shape: { type: disk, radius: 0.1 }, release: { position: [1, 40] }, "
+               "flyrock: 1\ndimension: 2\nmethod: ballistic\nterrain: { type: profile, points: { layer: "
+               "line.geojson } }\n"
+               "rocks:\n  - { name: a, density: 2700, shape: { type: disk, radius: 0.1 }, release: { "
+               "position: [1, 40] }, "
                "launch: { type: fixed, velocity: [5, 0] } }\nstop: { time: 60 s }\n");
   const Output run = call(folder, "run s.yaml --quiet -o out");
   INFO(run.err);

@@ -1,8 +1,8 @@
 // Point clouds as terrains and as the face of a blast.
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include <catch2/catch.hpp>
 #include <functional>
 
 #include "../las_file.h"
@@ -26,14 +26,16 @@ std::vector<LasPoint> survey(const std::function<bool(int, int)>& is_void = [](i
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       const double x = spacing * column, y = spacing * row;
-      if (!is_void(column, row)) points.push_back({{2600000 + x, 1200000 + y, std::round(1000 * height(x, y)) / 1000}});
+      if (!is_void(column, row))
+        points.push_back({{2600000 + x, 1200000 + y, std::round(1000 * height(x, y)) / 1000}});
       if (column % 3 == 0) points.push_back({{2600000 + x, 1200000 + y, height(x, y) + 8}, 5});  // trees
     }
   return points;
 }
 
 std::string raster_of(const std::vector<LasPoint>& points) {
-  std::string text = fmt::format("ncols {}\nnrows {}\nxllcenter 2600000\nyllcenter 1200000\ncellsize {}\n", columns, rows, spacing);
+  std::string text = fmt::format("ncols {}\nnrows {}\nxllcenter 2600000\nyllcenter 1200000\ncellsize {}\n",
+                                 columns, rows, spacing);
   for (int row = rows - 1; row >= 0; --row)
     for (int column = 0; column < columns; ++column)
       for (const LasPoint& point : points)
@@ -53,9 +55,11 @@ std::string xyz_of(const std::vector<LasPoint>& points) {
 
 std::string scenario(const std::string& terrain) {
   return "flyrock: 1\ndimension: 3\nmethod: lumped_mass\ntrials: 10\nterrain: { " + terrain +
-         ", material: rock }\nmaterials:\n  rock: { restitution: { type: newton, en: 0.4 }, friction: { type: coulomb, mu: 0.6 } }\n"
+         ", material: rock }\nmaterials:\n  rock: { restitution: { type: newton, en: 0.4 }, friction: { "
+         "type: coulomb, mu: 0.6 } }\n"
          "rocks:\n  - name: loose\n    density: 2700 kg/m3\n    shape: { type: sphere, radius: 0.3 m }\n"
-         "    release: { inside: [[2600004, 1200010], [2600008, 1200010], [2600008, 1200030], [2600004, 1200030]], above_ground: 1 m }\n"
+         "    release: { inside: [[2600004, 1200010], [2600008, 1200010], [2600008, 1200030], [2600004, "
+         "1200030]], above_ground: 1 m }\n"
          "    launch: { type: fixed, velocity: [6 m/s, 0 m/s, 0 m/s] }\nstop: { time: 60 s }\n";
 }
 
@@ -87,13 +91,15 @@ TEST_CASE("the same survey as a grid, as XYZ and as LAS stops the same rocks at 
 
 TEST_CASE("voids of a cloud are filled up to max_gap, and named beyond it") {
   const Folder folder;
-  folder.write("dem.xyz", xyz_of(survey([](int column, int row) { return column >= 20 && column < 23 && row >= 8 && row < 12; })));
+  folder.write("dem.xyz", xyz_of(survey([](int column, int row) {
+                 return column >= 20 && column < 23 && row >= 8 && row < 12;
+               })));
   folder.write("s.yaml", scenario("type: points, file: dem.xyz, cell: 2 m, max_gap: 4 m"));
   const Output wide = call(folder, "check s.yaml");
   INFO(wide.err);
   CHECK(wide.code == 0);
-  CHECK(wide.err.find("1 void inside of the points has no ground, the widest of 8 m about (2600042, 1200019): `max_gap: 8 m` fills it") !=
-        std::string::npos);
+  CHECK(wide.err.find("1 void inside of the points has no ground, the widest of 8 m about (2600042, "
+                      "1200019): `max_gap: 8 m` fills it") != std::string::npos);
   folder.write("s.yaml", scenario("type: points, file: dem.xyz, cell: 2 m, max_gap: 8 m"));
   CHECK(call(folder, "check s.yaml").err.find("filled 1 void of 12 cells in all") != std::string::npos);
   folder.write("s.yaml", scenario("type: points, file: dem.xyz, triangulate: true, max_gap: 4 m"));
@@ -118,8 +124,10 @@ TEST_CASE("a cloud that is no ground says what to write") {
     CHECK(check.code == 2);
     return check.err;
   };
-  CHECK(said("file: dem.laz, class: 2, cell: 2 m").find("`pdal translate dem.laz points.las`") != std::string::npos);
-  CHECK(said("file: feet.las, class: 2, cell: 2 m").find("are in feet: write `scale: 0.3048006096`") != std::string::npos);
+  CHECK(said("file: dem.laz, class: 2, cell: 2 m").find("`pdal translate dem.laz points.las`") !=
+        std::string::npos);
+  CHECK(said("file: feet.las, class: 2, cell: 2 m").find("are in feet: write `scale: 0.3048006096`") !=
+        std::string::npos);
   CHECK(said("file: dem.xyz, class: 2, cell: 2 m").find("has no classes") != std::string::npos);
   CHECK(said("file: dem.xyz").find("expected either `cell` or `triangulate: true`") != std::string::npos);
   CHECK(said("file: dem.xyz, cell: 0.001 m").find("take larger cells") != std::string::npos);
@@ -142,7 +150,8 @@ TEST_CASE("a scan of the face gives the burdens that the same table gives") {
     return "flyrock: 1\ndimension: 3\nmethod: ballistic\ntrials: 3\n"
            "terrain: { type: plane, point: [2600000, 1200000, 0] }\nblast:\n  explosive: ANFO\n"
            "  hole: { diameter: 102 mm, length: 12 m, stemming: 2.6 m }\n  burden: 3 m\n  spacing: 3 m\n"
-           "  rock_density: 2700 kg/m3\n  breakout_angle: 90 deg\n  holes: { file: holes.csv }\n  face: { points: " +
+           "  rock_density: 2700 kg/m3\n  breakout_angle: 90 deg\n  holes: { file: holes.csv }\n  face: { "
+           "points: " +
            points +
            " }\nrocks:\n  - name: face\n    per_hole: 2\n    density: 2700 kg/m3\n"
            "    shape: { type: sphere, radius: 0.1 m }\n    release: { from: collar }\n"

@@ -71,22 +71,26 @@ class PointsTerrain : public SurveyedTerrain {
   TerrainShape3 build_3d(Values, RandomStream&) const override {
     PointCloud cloud = read_point_cloud("plugin points", file_, class_);
     if (!cloud.plan_unit.empty() && cloud.plan_unit != "m" && scale_ == 1)
-      fail(fmt::format("its coordinates are in feet: write `scale: {}`, which makes metres of them; places of the "
-                       "scenario are then in metres too",
-                       cloud.plan_unit == "ft" ? "0.3048" : "0.3048006096"));
+      fail(fmt::format(
+          "its coordinates are in feet: write `scale: {}`, which makes metres of them; places of the "
+          "scenario are then in metres too",
+          cloud.plan_unit == "ft" ? "0.3048" : "0.3048006096"));
     for (Vec3& place : cloud.points) {
       place *= scale_;
       if (!is_height_of_ground(place.z()))
-        fail(fmt::format("a point has the height {:.10g} m, below {:g} m or above {:g} m, which no ground has; write "
-                         "`class: 2` if the file has classes, or `scale` if it is not in m",
-                         place.z(), lowest_ground, highest_ground));
+        fail(fmt::format(
+            "a point has the height {:.10g} m, below {:g} m or above {:g} m, which no ground has; write "
+            "`class: 2` if the file has classes, or `scale` if it is not in m",
+            place.z(), lowest_ground, highest_ground));
     }
     report_ = {{}, scale_ == 1 ? cloud.crs : "", scale_ != 1, {}};
     for (const std::string& note : cloud.notes) say(note);
-    const std::string count = cloud.points.size() == cloud.all
-                                  ? fmt::format("{} points", with_commas(cloud.all))
-                                  : fmt::format("{} of {} points", with_commas(cloud.points.size()), with_commas(cloud.all));
-    return cell_ > 0 ? TerrainShape3(grid_of(cloud.points, count)) : TerrainShape3(mesh_of(cloud.points, count));
+    const std::string count =
+        cloud.points.size() == cloud.all
+            ? fmt::format("{} points", with_commas(cloud.all))
+            : fmt::format("{} of {} points", with_commas(cloud.points.size()), with_commas(cloud.all));
+    return cell_ > 0 ? TerrainShape3(grid_of(cloud.points, count))
+                     : TerrainShape3(mesh_of(cloud.points, count));
   }
 
   SurveyReport report() const override { return report_; }
@@ -106,8 +110,8 @@ class PointsTerrain : public SurveyedTerrain {
     }
     const Vec2 size = ((high - low) / cell_).array().round() + 1;
     if (!(size.x() * size.y() <= most_cells))
-      fail(fmt::format("makes {:.0f} x {:.0f} cells of {:.6g} m, expected at most {:g}: take larger cells", size.x(),
-                       size.y(), cell_, most_cells));
+      fail(fmt::format("makes {:.0f} x {:.0f} cells of {:.6g} m, expected at most {:g}: take larger cells",
+                       size.x(), size.y(), cell_, most_cells));
     HeightGrid grid;
     grid.columns = static_cast<int>(size.x());
     grid.rows = static_cast<int>(size.y());
@@ -117,7 +121,8 @@ class PointsTerrain : public SurveyedTerrain {
     std::vector<unsigned> counts(sums.size(), 0);
     for (const Vec3& place : points) {
       const Vec2 at = ((place.head<2>() - low) / cell_).array().round();
-      const std::size_t index = static_cast<std::size_t>(at.y()) * grid.columns + static_cast<std::size_t>(at.x());
+      const std::size_t index =
+          static_cast<std::size_t>(at.y()) * grid.columns + static_cast<std::size_t>(at.x());
       sums[index] += place.z();
       ++counts[index];
     }
@@ -134,24 +139,26 @@ class PointsTerrain : public SurveyedTerrain {
   void fill(HeightGrid& grid) const {
     if (const int most = static_cast<int>(std::min(max_gap_ / cell_ + 1e-9, 1000.0)); most > 0)
       if (const FilledVoids filled = fill_voids(grid, most); filled.count > 0)
-        say(fmt::format("filled {} void{} of {} cell{} in all", filled.count, filled.count == 1 ? "" : "s", filled.cells,
-                        filled.cells == 1 ? "" : "s"));
+        say(fmt::format("filled {} void{} of {} cell{} in all", filled.count, filled.count == 1 ? "" : "s",
+                        filled.cells, filled.cells == 1 ? "" : "s"));
     const std::vector<InnerVoid> left = inner_voids(grid);
     if (left.empty()) return;
     const auto width = [&](const InnerVoid& one) { return cell_ * ((one.high - one.low).maxCoeff() + 1); };
-    const InnerVoid& widest =
-        *std::max_element(left.begin(), left.end(), [&](const auto& a, const auto& b) { return width(a) < width(b); });
+    const InnerVoid& widest = *std::max_element(
+        left.begin(), left.end(), [&](const auto& a, const auto& b) { return width(a) < width(b); });
     const Vec2 middle = grid.corner + cell_ / 2 * (widest.low + widest.high);
-    say(fmt::format("{} void{} inside of the points {} no ground, the widest of {:.6g} m about ({:.10g}, {:.10g}): "
-                    "`max_gap: {:.6g} m` fills {}",
-                    left.size(), left.size() == 1 ? "" : "s", left.size() == 1 ? "has" : "have", width(widest), middle.x(),
-                    middle.y(), width(widest), left.size() == 1 ? "it" : "them"));
+    say(fmt::format(
+        "{} void{} inside of the points {} no ground, the widest of {:.6g} m about ({:.10g}, {:.10g}): "
+        "`max_gap: {:.6g} m` fills {}",
+        left.size(), left.size() == 1 ? "" : "s", left.size() == 1 ? "has" : "have", width(widest),
+        middle.x(), middle.y(), width(widest), left.size() == 1 ? "it" : "them"));
   }
 
   /// Triangles with sides of at most `max_gap`.
   Mesh mesh_of(const std::vector<Vec3>& points, const std::string& count) const {
     if (points.size() > most_triangulated)
-      fail(fmt::format("has {} points to triangulate, expected at most {}: take `cell`", points.size(), most_triangulated));
+      fail(fmt::format("has {} points to triangulate, expected at most {}: take `cell`", points.size(),
+                       most_triangulated));
     std::vector<Vec2> plan;
     for (const Vec3& place : points) plan.emplace_back((place - points.front()).head<2>());
     Mesh mesh;
@@ -167,7 +174,8 @@ class PointsTerrain : public SurveyedTerrain {
     } catch (const std::invalid_argument& wrong) {
       fail(wrong.what());
     }
-    if (mesh.triangles.empty()) fail(fmt::format("no triangle has sides of at most {:.6g} m: write a greater `max_gap`", max_gap_));
+    if (mesh.triangles.empty())
+      fail(fmt::format("no triangle has sides of at most {:.6g} m: write a greater `max_gap`", max_gap_));
     mesh.part.assign(mesh.triangles.size(), 0);
     mesh = welded(std::move(mesh));
     std::vector<int> lines;
@@ -176,7 +184,8 @@ class PointsTerrain : public SurveyedTerrain {
     for (const std::string& note : mend(mesh, lines, repair)) say(note);
     for (const MeshFault& wrong : faults(mesh))
       fail(fmt::format("{}; write a greater `max_gap`, or `cell`, where voids have no ground", wrong.text));
-    report_.size = fmt::format("{}, {} triangles, {}", count, with_commas(mesh.triangles.size()), heights_of(mesh));
+    report_.size =
+        fmt::format("{}, {} triangles, {}", count, with_commas(mesh.triangles.size()), heights_of(mesh));
     return mesh;
   }
 

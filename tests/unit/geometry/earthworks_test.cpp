@@ -37,7 +37,18 @@ using namespace earthworks_test;
 
 TEST_CASE("a ditch and the bund beyond it have their forms on level ground") {
   const Profile made = with_earthworks(wall(), {ditch_at(5), bund_of(std::nullopt, 1)});
-  CHECK(is_near(made.points, {{-20, 10}, {0, 10}, {0, 0}, {5, 0}, {7, -2}, {10, -2}, {12, 0}, {13, 0}, {17, 2}, {18, 2}, {22, 0}, {100, 0}}));
+  CHECK(is_near(made.points, {{-20, 10},
+                              {0, 10},
+                              {0, 0},
+                              {5, 0},
+                              {7, -2},
+                              {10, -2},
+                              {12, 0},
+                              {13, 0},
+                              {17, 2},
+                              {18, 2},
+                              {22, 0},
+                              {100, 0}}));
   CHECK(made.parts == std::vector<std::string>{"", "ditch", "bund"});
   CHECK(made.part == std::vector<int>{0, 0, 0, 1, 1, 1, 0, 2, 2, 2, 0});
   CHECK(made.fault().empty());
@@ -51,7 +62,8 @@ TEST_CASE("a ditch at the toe of an upright face begins on the floor") {
 TEST_CASE("sides go on to sloping ground, and upright ones are upright") {
   const Profile bund = with_earthworks(wall(10), {std::nullopt, bund_of(10)});
   // Far side: 3 - (x - 15) / 2 meets x / 10 at x = 17.5.
-  CHECK(is_near(bund.points, {{-20, 10}, {0, 10}, {0, 0}, {10, 1}, {14, 3}, {15, 3}, {17.5, 1.75}, {100, 10}}));
+  CHECK(
+      is_near(bund.points, {{-20, 10}, {0, 10}, {0, 0}, {10, 1}, {14, 3}, {15, 3}, {17.5, 1.75}, {100, 10}}));
   const Profile trench = with_earthworks(wall(), {GroundDitch{5, 3, 2, pi / 2}, std::nullopt});
   CHECK(trench.points[4].x() == 5);
   CHECK(trench.points[6].x() == trench.points[5].x());

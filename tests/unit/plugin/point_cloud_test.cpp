@@ -33,8 +33,10 @@ std::string cloud_fault(const std::string& name, const std::string& bytes, std::
 }  // namespace point_cloud_test
 using namespace point_cloud_test;
 
-TEST_CASE("LAS 1.2 to 1.4 in old and new point formats have their places and classes, without withheld points") {
-  for (const LasKind& kind : {LasKind{2, 0, 20}, LasKind{2, 3, 34}, LasKind{3, 5, 63}, LasKind{4, 6, 30}, LasKind{4, 8, 40}}) {
+TEST_CASE(
+    "LAS 1.2 to 1.4 in old and new point formats have their places and classes, without withheld points") {
+  for (const LasKind& kind :
+       {LasKind{2, 0, 20}, LasKind{2, 3, 34}, LasKind{3, 5, 63}, LasKind{4, 6, 30}, LasKind{4, 8, 40}}) {
     const PointCloud ground = cloud_of("a.las", las_of(three_points, kind), 2);
     REQUIRE(ground.points.size() == 1);
     CHECK(ground.all == 3);
@@ -56,10 +58,11 @@ TEST_CASE("a LAS file says its system and its unit") {
 TEST_CASE("a cloud that is cut, compressed or of another kind is refused in one line") {
   const std::string sound = las_of(three_points);
   CHECK(cloud_fault("a.las", sound.substr(0, 100)).find("is cut: its head is missing") != std::string::npos);
-  CHECK(cloud_fault("a.las", sound.substr(0, sound.size() - 1)).find("announces 3 points of 20 bytes from byte 227 on, it ends at 286") !=
-        std::string::npos);
+  CHECK(cloud_fault("a.las", sound.substr(0, sound.size() - 1))
+            .find("announces 3 points of 20 bytes from byte 227 on, it ends at 286") != std::string::npos);
   CHECK(cloud_fault("a.las", "PLY").find("is no LAS file") != std::string::npos);
-  CHECK(cloud_fault("a.las", sound, 6).find("has no point of class 6, it has 2 (1 points), 5 (1 points)") != std::string::npos);
+  CHECK(cloud_fault("a.las", sound, 6).find("has no point of class 6, it has 2 (1 points), 5 (1 points)") !=
+        std::string::npos);
   const std::string compressed = cloud_fault("a.laz", las_of(three_points, {2, 0x80, 20}));
   CHECK(compressed.find("is compressed (LAZ): `pdal translate ") != std::string::npos);
   CHECK(compressed.find("points.las` or `laszip -i ") != std::string::npos);
@@ -72,14 +75,17 @@ TEST_CASE("a cloud that is cut, compressed or of another kind is refused in one 
 }
 
 TEST_CASE("XYZ has heads, comments, further values and any separator") {
-  for (const char* text : {"x y z r g b\n1 2 3 255 0 0\n4 5 6 0 0 0\n", "# scan\n1,2,3\n4,5,6\n", "\xef\xbb\xbf" "1;2;3\r\n4;5;6\r\n",
+  for (const char* text : {"x y z r g b\n1 2 3 255 0 0\n4 5 6 0 0 0\n", "# scan\n1,2,3\n4,5,6\n",
+                           "\xef\xbb\xbf"
+                           "1;2;3\r\n4;5;6\r\n",
                            "//X Y Z\n\n1\t2\t3\n4\t5\t6"}) {
     INFO(text);
     const PointCloud cloud = cloud_of("a.xyz", text);
     REQUIRE(cloud.points.size() == 2);
     CHECK(cloud.points[1] == Vec3(4, 5, 6));
   }
-  CHECK(cloud_fault("a.xyz", "1 2 3\n4 5\n").find(":2: expected x, y and z, apart by blanks or commas, the line ends before") !=
+  CHECK(cloud_fault("a.xyz", "1 2 3\n4 5\n")
+            .find(":2: expected x, y and z, apart by blanks or commas, the line ends before") !=
         std::string::npos);
   CHECK(cloud_fault("a.xyz", "1 2 3\n4 x 6\n").find(":2: expected x, y and z") != std::string::npos);
   CHECK(cloud_fault("a.xyz", "1 2 3\n", 2).find("has no classes, leave `class` out") != std::string::npos);
