@@ -36,7 +36,7 @@ Json points_of(const Folder& folder, const std::string& out) {
   return Json::parse(read(folder.path() / out / "summary.json"))["points"];
 }
 
-double p50_of(const Json& point) { return point["groups"][0]["runout"]["p50"].get<double>(); }
+double p50_of(const Json& point) { return point["rocks"][0]["runout"]["p50"].get<double>(); }
 
 }  // namespace
 
