@@ -31,9 +31,10 @@ class Works {
     const std::size_t after = first_after(x);
     std::vector<Vec2> outline = {start(x, after)};
     for (const Vec2& step : steps) outline.push_back(outline.back() + step);
+    check_corners(outline, side);
     const auto [end, segment] = meeting(outline.back(), last);
     outline.push_back(end);
-    check_side(outline, side);
+    check_ground(outline, side);
     replace(outline, after, segment);
     return end;
   }
@@ -79,24 +80,32 @@ class Works {
     return {from + least * along, segment};
   }
 
-  /// Between its ends the outline lies on one side of the ground, and the ground on the other side of it.
-  void check_side(const std::vector<Vec2>& outline, int side) const {
-    const auto refuse = [&](double x) {
-      fail(
-          fmt::format("meets the ground at x = {:.6g} m, before its far side does: expected gentler ground, "
-                      "or other measures",
-                      x));
-    };
-    for (std::size_t i = 1; i + 1 < outline.size(); ++i)
-      if (const double x = outline[i].x();
-          x >= profile_.x_max() || side * (outline[i].y() - profile_.height(x)) <= 0)
-        refuse(x);
+  [[noreturn]] void refuse_meeting(double x) const {
+    fail(fmt::format(
+        "meets the ground at x = {:.6g} m, before its far side does: expected gentler ground, or other "
+        "measures",
+        x));
+  }
+
+  /// All corners but the first one lie on one side of the ground.
+  void check_corners(const std::vector<Vec2>& corners, int side) const {
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+      const double x = corners[i].x();
+      if (x >= profile_.x_max())
+        fail(fmt::format("does not come back to the ground before the profile ends at x = {:.6g} m",
+                         profile_.x_max()));
+      if (side * (corners[i].y() - profile_.height(x)) <= 0) refuse_meeting(x);
+    }
+  }
+
+  /// The points of the ground below or above the outline lie on its other side.
+  void check_ground(const std::vector<Vec2>& outline, int side) const {
     for (const Vec2& point : profile_.points)
       for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
         const Vec2 &a = outline[i], &b = outline[i + 1];
         if (!(point.x() > a.x() && point.x() < b.x())) continue;
         const double height = a.y() + (point.x() - a.x()) / (b.x() - a.x()) * (b.y() - a.y());
-        if (side * (height - point.y()) <= 0) refuse(point.x());
+        if (side * (height - point.y()) <= 0) refuse_meeting(point.x());
       }
   }
 

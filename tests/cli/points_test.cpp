@@ -154,7 +154,7 @@ TEST_CASE("a scan of the face gives the burdens that the same table gives") {
            "points: " +
            points +
            " }\nrocks:\n  - name: face\n    per_hole: 2\n    density: 2700 kg/m3\n"
-           "    shape: { type: sphere, radius: 0.1 m }\n    release: { from: collar }\n"
+           "    shape: { type: sphere, radius: 0.1 m }\n    release: { position: [2600000, 1200000, 12.5] }\n"
            "    launch: { type: gurney, elevation: 30 deg }\nstop: { time: 60 s }\n";
   };
   for (const std::string kind : {"csv", "las"}) {

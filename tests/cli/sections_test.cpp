@@ -22,7 +22,7 @@ std::string scenario(const std::string& terrain, const std::string& more = "") {
          "  sand: { restitution: { type: newton, en: 0.05 }, friction: { type: coulomb, mu: 0.9 } }\n"
          "rocks:\n  - name: loose\n    density: 2700 kg/m3\n"
          "    shape: { type: polygon, sides: 6, diameter: { uniform: [0.4 m, 0.8 m] } }\n"
-         "    release: { x: -5, above_ground: 1 m }\n    launch: { type: fixed, velocity: [4 m/s, 0 m/s] }\n"
+         "    release: { x: -1, above_ground: 1 m }\n    launch: { type: fixed, velocity: [6 m/s, 0 m/s] }\n"
          "gates: [{ name: road, x: 40 }]\nstop: { time: 60 s }\n" +
          more;
 }
@@ -107,7 +107,8 @@ TEST_CASE("earthworks say what they need, and benches keep their own") {
         std::string::npos);
   CHECK(said("bund: { x: 30, distance: 1, height: 2 m }").find("expected one of both") != std::string::npos);
   CHECK(said("ditch: { x: 95, width: 9, depth: 2 m }").find("the ditch ") != std::string::npos);
-  CHECK(said("ditch: { x: 30, width: 9, depth: 2 m, on: floor }").find("`on`") != std::string::npos);
+  CHECK(said("ditch: { x: 30, width: 9, depth: 2 m, on: floor }").find("terrain.ditch.on: unknown key") !=
+        std::string::npos);
   folder.write("s.yaml",
                scenario("type: benches, count: 1, height: 10 m, face_angle: 70 deg, berm: 0 m, floor: 60 m, "
                         "ditch: { width: 3 m, depth: 1 m }, bund: { height: 1 m }, material: rock"));
