@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 constexpr const char* soft_points =
     "[[2600020, 1200000], [2600040, 1200000], [2600040, 1200060], [2600020, 1200060]]";
-constexpr const char* road_points = "[[2600050, 1200000], [2600052, 1200060]]";
+constexpr const char* road_points = "[[2600050, 1200002], [2600052, 1200058]]";
 constexpr const char* crest_points = "[[2600004, 1200010], [2600004, 1200050]]";
 
 /// A slope of 80 m by 60 m in Swiss coordinates, and layers or points of its zone, its road and its crest.
