@@ -148,7 +148,8 @@ TEST_CASE("a scan of the face gives the burdens that the same table gives") {
   folder.write("holes.csv", "hole,x,y,z\n1,2600000,1200000,12\n2,2600000,1200003,12\n");
   const auto blast = [](const std::string& points) {
     return "flyrock: 1\ndimension: 3\nmethod: ballistic\ntrials: 3\n"
-           "terrain: { type: plane, point: [2600000, 1200000, 0] }\nblast:\n  explosive: ANFO\n"
+           "terrain: { type: plane, point: [2600000, 1200000, 0], origin: [2600000, 1200000, 0] }\nblast:\n  "
+           "explosive: ANFO\n"
            "  hole: { diameter: 102 mm, length: 12 m, stemming: 2.6 m }\n  burden: 3 m\n  spacing: 3 m\n"
            "  rock_density: 2700 kg/m3\n  breakout_angle: 90 deg\n  holes: { file: holes.csv }\n  face: { "
            "points: " +
