@@ -49,5 +49,6 @@ std::unique_ptr<TerrainModel> make_profile(Params& params);
 std::unique_ptr<TerrainModel> make_plane(Params& params);
 std::unique_ptr<TerrainModel> make_mesh(Params& params);
 std::unique_ptr<TerrainModel> make_raster(Params& params);
+std::unique_ptr<TerrainModel> make_points(Params& params);
 
 }  // namespace flyrock::plugins

@@ -49,5 +49,6 @@ FLYROCK_MODULE(table) {
   table[{terrain, "plane"}] = make_plane;
   table[{terrain, "mesh"}] = make_mesh;
   table[{terrain, "raster"}] = make_raster;
+  table[{terrain, "points"}] = make_points;
   return nullptr;
 }

@@ -78,6 +78,7 @@ class DocumentSchema {
   std::string section_name(const std::string& name) const;
   void put(Keys& keys, const ParamSpec& spec, bool varies);
   void put_section(Keys& keys, const std::string& name, const Varies& varies = none_varies);
+  void put_earthworks(Keys& keys, const PluginSpec& spec);
   Keys section(const std::string& name, const Varies& varies = none_varies);
   void put_params(Keys& keys, const PluginSpec& plugin);
   void or_over_time(Keys& keys, const ParamSpec& spec);
@@ -200,6 +201,7 @@ Json DocumentSchema::plugin(PluginKind kind, const Keys& beside, const std::stri
       continue;
     }
     Keys keys = beside;
+    if (kind == PluginKind::terrain && dimension_ == 2) put_earthworks(keys, one->spec);
     put_params(keys, one->spec);
     branch(one->spec.name, std::move(keys), one->spec.doc);
   }
@@ -242,6 +244,14 @@ void DocumentSchema::define_parts() {
   values_.define(named("parts"), std::move(parts));
 }
 
+/// A ditch and a bund on the profile of a terrain that has none of its own.
+void DocumentSchema::put_earthworks(Keys& keys, const PluginSpec& spec) {
+  for (const char* key : {"ditch", "bund"})
+    if (std::none_of(spec.params.begin(), spec.params.end(),
+                     [&](const ParamSpec& param) { return param.group() == key; }))
+      keys.add(key, section(fmt::format("terrain.{}", key)).object());
+}
+
 Json DocumentSchema::terrain() {
   Keys beside = section("terrain");
   beside.add("material", values_.or_sweep(SchemaValues::some_text(), place(false)));
@@ -254,6 +264,7 @@ Json DocumentSchema::terrain() {
   if (dimension_ == 2) {
     OtherType cut{"section", beside};
     put_section(cut.keys, "terrain: section");
+    put_earthworks(cut.keys, {});
     cut.keys.add("of", SchemaValues::reference("ground_3D"), true);
     others.push_back(std::move(cut));
   } else {

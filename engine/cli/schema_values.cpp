@@ -9,6 +9,7 @@
 #include "document/value.h"
 #include "random/distribution.h"
 #include "scenario/distribution_forms.h"
+#include "scenario/schema.h"
 #include "units/unit_table.h"
 
 namespace flyrock::cli {
@@ -203,6 +204,17 @@ Json SchemaValues::number(const ParamSpec& spec, const ValuePlace& place) {
   return {{"anyOf", std::move(forms)}};
 }
 
+/// A layer in place of points.
+Json SchemaValues::layer() {
+  Json properties = {{"where", {{"type", "object"}, {"description", "values of attributes"}}}};
+  for (const ParamSpec& key : section_spec("layer").keys)
+    properties[key.name] = {{"type", "string"}, {"description", key.doc}};
+  return {{"type", "object"},
+          {"properties", std::move(properties)},
+          {"required", {"layer"}},
+          {"additionalProperties", false}};
+}
+
 Json SchemaValues::points(const ParamSpec& spec, int coordinates, const ValuePlace& place) {
   ParamSpec coordinate = pure_number(spec.dimension);
   const Json number_schema =
@@ -261,7 +273,8 @@ Json SchemaValues::value(const ParamSpec& spec, const ValuePlace& place) {
     case ParamType::points:
       return points(spec, place.dimension, place);
     case ParamType::plan_points:
-      return points(spec, 2, place);
+      return place.dimension == 3 ? Json{{"anyOf", {points(spec, 2, place), layer()}}}
+                                  : points(spec, 2, place);
     case ParamType::shapes:
       return reference(fmt::format("parts_{}D", place.dimension));
     case ParamType::records:

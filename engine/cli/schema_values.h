@@ -43,6 +43,7 @@ class SchemaValues {
   Json constant(const ParamSpec& spec);
   Json distribution(const ParamSpec& spec, const ValuePlace& place);
   Json records(const ParamSpec& spec, const ValuePlace& place);
+  Json layer();
   Json points(const ParamSpec& spec, int coordinates, const ValuePlace& place);
 
   Json definitions_ = Json::object();

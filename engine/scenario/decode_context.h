@@ -53,6 +53,7 @@ struct DecodeContext {
   std::vector<BlastField> forced_fields = {};      ///< of the blast, that a branch sets for each hole
   bool has_holes = false;                          ///< the blast has measured holes, at places of their own
   double north = pi / 2;                           ///< rad, from +x towards +y: where bearing 0 points
+  std::string crs = {};                            ///< of the terrain, "EPSG:2056"; empty: it has none
   std::map<std::string, Value> shapes = {};        ///< of the document, by name, normalised
   std::vector<std::string> tables = {};            ///< a line for each table that was read
 

@@ -9,6 +9,7 @@
 #include "document/table.h"
 #include "geometry/terrain_shape.h"
 #include "plugin/models.h"
+#include "plugin/point_cloud.h"
 #include "scenario/leaning_holes.h"
 #include "scenario/table_cells.h"
 
@@ -66,14 +67,38 @@ std::map<std::string, std::string> heads_among(std::map<std::string, std::string
   return heads;
 }
 
+/// The points of a scan of the face; empty if something is wrong, which is reported.
+std::vector<Vec3> points_of_cloud(DecodeContext& context, const Node& node, const std::string& file,
+                                  std::optional<int> of_class) {
+  try {
+    PointCloud cloud = read_point_cloud("points", file, of_class);
+    if (!cloud.plan_unit.empty() && cloud.plan_unit != "m")
+      throw PluginError(
+          fmt::format("points: {}: its coordinates are in feet, expected metres: `pdal` projects it", file));
+    context.tables.push_back(fmt::format("points of the face of {}: {} of {} points", *node.value->text(),
+                                         cloud.points.size(), cloud.all));
+    return std::move(cloud.points);
+  } catch (const PluginError& error) {
+    node.error(context.diagnostics, error.what());
+    return {};
+  }
+}
+
 std::unique_ptr<const FaceSurvey> survey_of_points(DecodeContext& context, const Node& node,
                                                    const std::string& file,
-                                                   const std::map<std::string, std::string>& heads) {
-  const auto table = read_table_of(context, "points of the face", file, point_columns(), heads, node);
-  if (!table) return nullptr;
+                                                   const std::map<std::string, std::string>& heads,
+                                                   std::optional<int> of_class) {
   std::vector<Vec3> points;
-  for (std::size_t row = 0; row < table->rows(); ++row)
-    points.emplace_back(*table->number(row, "x"), *table->number(row, "y"), *table->number(row, "z"));
+  if (is_point_cloud(file)) {
+    points = points_of_cloud(context, node, file, of_class);
+    if (points.empty()) return nullptr;
+  } else {
+    if (of_class) node.error(context.diagnostics, "is a table, which has no classes: leave `class` out");
+    const auto table = read_table_of(context, "points of the face", file, point_columns(), heads, node);
+    if (!table) return nullptr;
+    for (std::size_t row = 0; row < table->rows(); ++row)
+      points.emplace_back(*table->number(row, "x"), *table->number(row, "y"), *table->number(row, "z"));
+  }
   try {
     return std::make_unique<const FaceSurvey>(points);
   } catch (const std::invalid_argument& error) {
@@ -295,8 +320,9 @@ std::unique_ptr<const FaceOfBlast> read_face(DecodeContext& context, const Node&
   if (section.given("track")) read_depths("track", {"depth", "x", "y", "z"}, face->tracks_);
   if (given[0] == "mesh") face->survey_ = survey_of_mesh(context, *node->find("mesh"), section.text("mesh"));
   if (given[0] == "points")
-    face->survey_ = survey_of_points(context, *node->find("points"), section.text("points"),
-                                     heads_among(heads, point_columns()));
+    face->survey_ = survey_of_points(
+        context, *node->find("points"), section.text("points"), heads_among(heads, point_columns()),
+        section.given("class") ? std::optional(section.integer("class")) : std::nullopt);
   if (given[0] == "profiles") read_depths("profiles", {"depth", "distance"}, face->profiles_);
   if (context.diagnostics.errors_given() != before) return nullptr;
   SurveyedFace& facts = plan.face.emplace();

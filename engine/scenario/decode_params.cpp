@@ -10,6 +10,7 @@
 #include "plugin/contact_law.h"
 #include "plugin/surveyed_terrain.h"
 #include "scenario/decode_shapes.h"
+#include "scenario/layer.h"
 #include "scenario/load_table.h"
 #include "scenario/normalise_params.h"
 #include "scenario/param_bounds.h"
@@ -71,6 +72,10 @@ ParamValue decode_param(DecodeContext& context, const Node& node, const ParamSpe
       break;
     case ParamType::points:
     case ParamType::plan_points:
+      if (is_layer(*node.value)) {
+        if (spec.name != "polygon") value.points = layer_points(context, node, spec);
+        break;  // zones read a polygon as a region
+      }
       for (const Value& point : *node.value->list()) value.points.push_back(point_of(point));
       break;
     case ParamType::shapes:

@@ -12,6 +12,7 @@
 #include "scenario/decode_sections.h"
 #include "scenario/ground_store.h"
 #include "scenario/load_table.h"
+#include "scenario/normalise.h"
 #include "scenario/normalise_number.h"
 
 namespace flyrock {
@@ -35,8 +36,9 @@ void take_report(DecodeContext& context, const Node& node, const SurveyReport& r
 /// What other sections need of the terrain of trial 0. Its shape in 3D goes to `shape` unless it may be
 /// another in other trials.
 DecodedTerrain outline_of(DecodeContext& context, const Node& node, const PluginUse& use,
-                          const std::optional<SectionPlan>& section, std::uint64_t seed,
+                          const TerrainPlan& plan, std::uint64_t seed,
                           std::shared_ptr<TerrainShape3>& shape) {
+  const std::optional<SectionPlan>& section = plan.section;
   const DrawKey key;
   std::vector<double> values;
   for (const Number& slot : use.slots) values.push_back(slot.value(context.draws, seed, key));
@@ -54,6 +56,8 @@ DecodedTerrain outline_of(DecodeContext& context, const Node& node, const Plugin
       for (const Mesh::Face& face : terrain.bench_faces = mesh->faces) terrain.faces.push_back(face.name);
   } else {
     terrain.profile = section ? section_of(*shape, section->from, section->to) : model->build(values, rng);
+    if (terrain.profile->fault().empty())
+      terrain.profile = with_earthworks(std::move(*terrain.profile), plan.works);
     terrain.parts = terrain.profile->parts;
     for (std::size_t i = 0; i < terrain.profile->faces.size(); ++i)
       terrain.faces.push_back(terrain.profile->face_name(i));
@@ -71,13 +75,15 @@ std::shared_ptr<TerrainShape3> try_to_build(DecodeContext& context, const Node& 
   std::shared_ptr<TerrainShape3> shape;
   try {
     const auto outline = context.grounds->get(fmt::format("outline {} {}", seed, text), [&] {
-      return GroundStore::Made{std::make_shared<const DecodedTerrain>(
-          outline_of(context, node, use, terrain.plan.section, seed, shape))};
+      return GroundStore::Made{
+          std::make_shared<const DecodedTerrain>(outline_of(context, node, use, terrain.plan, seed, shape))};
     });
     TerrainPlan plan = std::move(terrain.plan);
     terrain = *std::static_pointer_cast<const DecodedTerrain>(outline);
     terrain.plan = std::move(plan);
   } catch (const SectionError& error) {
+    context.diagnostics.error(node.key_at, node.path, error.what());
+  } catch (const EarthworksError& error) {
     context.diagnostics.error(node.key_at, node.path, error.what());
   } catch (const FileFaults& found) {
     for (const std::string& wrong : found.faults) context.diagnostics.error(node.key_at, node.path, wrong);
@@ -102,6 +108,33 @@ std::optional<PluginUse> decode_section_terrain(DecodeContext& context, const No
   };
   plan.section = SectionPlan{place("from"), place("to")};
   return use;
+}
+
+/// The ditch and the bund on a profile whose plugin has none of its own.
+Earthworks decode_earthworks(DecodeContext& context, const Node& node) {
+  Earthworks works;
+  for (const std::string& key : earthworks_of(context, node)) {
+    const auto work = node.find(key);
+    if (!work) continue;
+    const Section section = decode_section(context, *work, "terrain." + key);
+    if (key == "ditch") {
+      works.ditch = {.x = section.constant("x"),
+                     .width = section.constant("width"),
+                     .depth = section.constant("depth"),
+                     .slope = section.constant("slope")};
+      continue;
+    }
+    if (section.given("x") && section.given("distance"))
+      work->error(context.diagnostics, "begins at `x`, or by `distance` from a ditch, expected one of both");
+    if (!section.given("x") && !works.ditch)
+      work->error(context.diagnostics, "has no place, expected `x`, or a `ditch` beyond which it stands");
+    works.bund = {.x = section.given("x") ? std::optional(section.constant("x")) : std::nullopt,
+                  .distance = section.given("distance") ? section.constant("distance") : 0,
+                  .height = section.constant("height"),
+                  .top = section.constant("top"),
+                  .slope = section.constant("slope")};
+  }
+  return works;
 }
 
 /// The text of what is built of a terrain: without its zones, faces, origin and materials.
@@ -198,13 +231,16 @@ DecodedTerrain decode_terrain(DecodeContext& context, const Node& node,
   if (node.value->is_null()) return terrain;  // already reported
   const std::size_t errors = context.diagnostics.errors_given();
   const std::string* type = node.find("type")->value->text();
+  if (const auto crs = node.find("crs"); crs && crs->value->text()) context.crs = *crs->value->text();
   const auto use = context.dimension == 2 && type && *type == "section"
                        ? decode_section_terrain(context, node, terrain.plan)
                        : decode_plugin(context, node, PluginKind::terrain);
   std::shared_ptr<TerrainShape3> shape;
   if (use && context.is_sound(node.path) && context.diagnostics.errors_given() == errors) {
     terrain.plan.model = *use;
-    shape = try_to_build(context, node, *use, seed, text_of_ground(node), terrain);
+    terrain.plan.works = decode_earthworks(context, node);
+    if (context.diagnostics.errors_given() == errors)
+      shape = try_to_build(context, node, *use, seed, text_of_ground(node), terrain);
   }
   decode_places_of_terrain(context, node, terrain);
   const bool names_materials = node.find("material") || node.find("materials");

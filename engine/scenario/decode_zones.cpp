@@ -10,6 +10,7 @@
 #include "plugin/raster_file.h"
 #include "scenario/decode_sections.h"
 #include "scenario/geojson_zone.h"
+#include "scenario/layer.h"
 #include "scenario/normalise.h"
 
 namespace flyrock {
@@ -35,7 +36,9 @@ std::vector<PlanPolygon> read_geojson(DecodeContext& context, const Node& item, 
 
 void read_zone_3d(DecodeContext& context, const Node& item, const Section& section, const std::string& kind,
                   const std::vector<std::string>& parts, Zone& zone) {
-  if (kind == "polygon")
+  if (const Node polygon = *item.find(kind); kind == "polygon" && is_layer(*polygon.value))
+    zone.polygons = layer_region(context, polygon);
+  else if (kind == "polygon")
     for (const Vec3& corner : section.points("polygon")) zone.polygon.emplace_back(corner.x(), corner.y());
   if (kind == "geojson") zone.polygons = read_geojson(context, item, section);
   if (kind == "raster") {
@@ -161,6 +164,8 @@ std::shared_ptr<const HeightGrid> read_raster(DecodeContext& context, const Node
 }
 
 void decode_places_of_terrain(DecodeContext& context, const Node& node, DecodedTerrain& terrain) {
+  decode_crs(context, node, terrain);
+  context.crs = terrain.plan.crs;
   if (const auto zones = node.find("zones"))
     terrain.plan.zones = decode_zones(context, *zones, terrain.parts);
   if (const auto faces = node.find("faces")) {
@@ -172,7 +177,6 @@ void decode_places_of_terrain(DecodeContext& context, const Node& node, DecodedT
     if (node.find("origin")) decode_origin(context, node, terrain.plan);
   }
   terrain.plan.survey = terrain.survey;
-  decode_crs(context, node, terrain);
 }
 
 }  // namespace flyrock

@@ -39,6 +39,10 @@ std::optional<Node> key_of_zone(const Node& zone);
 /// The section of the schema for a zone; `key` in 3D.
 std::string section_of_zone(const std::optional<Node>& key);
 
+/// The keys of earthworks that a terrain takes on its profile: `ditch` and `bund` in 2D, unless its plugin
+/// has its own.
+std::vector<std::string> earthworks_of(DecodeContext& context, const Node& terrain);
+
 /// What the measures of a document may name.
 MeasureNames measure_names(const Node& root, int dimension);
 

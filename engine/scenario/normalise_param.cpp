@@ -9,6 +9,7 @@
 #include "geometry/contactor.h"
 #include "geometry/plan_line.h"
 #include "geometry/plan_zone.h"
+#include "scenario/layer.h"
 #include "scenario/normalise_records.h"
 #include "scenario/normalise_shapes.h"
 
@@ -162,6 +163,7 @@ std::string points_fault(const std::vector<std::vector<double>>& points, const P
 }
 
 Value normalise_points(DecodeContext& context, const Node& node, const ParamSpec& spec) {
+  if (is_layer(*node.value)) return normalise_layer(context, node, spec);
   if (!node.is_list() || node.value->is_null()) return refuse(context, node, spec);
   List list;
   std::vector<std::vector<double>> points;

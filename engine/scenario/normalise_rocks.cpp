@@ -5,6 +5,7 @@
 #include <array>
 
 #include "document/wording.h"
+#include "scenario/layer.h"
 #include "scenario/normalise.h"
 #include "scenario/normalise_shapes.h"
 
@@ -31,6 +32,7 @@ constexpr std::array<ReleaseKey, 7> release_keys{{{"from", false},
 
 /// Whether the points of `along` or `inside` are places in plan: [x, y] in 3D.
 bool is_in_plan(const Node& points) {
+  if (is_layer(*points.value)) return true;
   const std::vector<Node> items = points.is_list() ? points.items() : std::vector<Node>();
   return !items.empty() && items.front().is_list() && items.front().items().size() == 2;
 }

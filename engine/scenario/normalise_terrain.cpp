@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scenario/normalise.h"
 
 namespace flyrock {
@@ -29,6 +31,7 @@ Value section_terrain(DecodeContext& context, const Node& node) {
   const SectionSpec& spec = section_spec("terrain: section");
   std::vector<std::string> keys = spec.key_names();
   keys.insert(keys.end(), {"type", "material", "materials", "zones", "faces", "north"});
+  for (std::string& key : earthworks_of(context, node)) keys.push_back(std::move(key));
   node.refuse_unknown_keys(keys, context.diagnostics);
   Map map;
   put(map, *node.find("type"), text_value("section"));
@@ -51,6 +54,7 @@ Value normalise_ground(DecodeContext& context, const Node& node) {
   if (context.dimension == 2 && type && type->value->text() && *type->value->text() == "section")
     return section_terrain(context, node);
   std::vector<std::string> others = {"material", "materials", "zones", "faces", "north"};
+  for (std::string& key : earthworks_of(context, node)) others.push_back(std::move(key));
   if (context.dimension == 3) others.insert(others.end(), {"origin", "crs"});
   return normalise_plugin(context, node, PluginKind::terrain, terrain_rules, others);
 }
@@ -103,6 +107,9 @@ Value normalise_terrain(DecodeContext& context, const Node& node) {
   if (!terrain.map()) return terrain;
   Map& map = *terrain.map();
   const bool space = context.dimension == 3;
+  for (const std::string& key : earthworks_of(context, node))
+    if (const auto work = node.find(key))
+      put(map, *work, normalise_section(context, *work, "terrain." + key, {}));
   if (const auto zones = node.find("zones")) put(map, *zones, normalise_zones(context, *zones));
   if (const auto faces = node.find("faces"))
     put(map, *faces, normalise_list_of(context, *faces, space ? "terrain.faces 3D" : "terrain.faces"));
@@ -137,6 +144,20 @@ Value normalise_between(DecodeContext& context, const Node& node, const std::str
     list.back().at = item.value->at;
   }
   return list_value(std::move(list));
+}
+
+std::vector<std::string> earthworks_of(DecodeContext& context, const Node& terrain) {
+  const std::optional<Node> type = terrain.find("type");
+  const std::string* name = type ? type->value->text() : nullptr;
+  const Plugin* plugin = name ? context.registry.find(PluginKind::terrain, *name) : nullptr;
+  std::vector<std::string> keys;
+  for (const char* key : {"ditch", "bund"}) {
+    const auto is_own = [&](const ParamSpec& param) { return param.group() == key; };
+    const bool has_own =
+        plugin && std::any_of(plugin->spec.params.begin(), plugin->spec.params.end(), is_own);
+    if (context.dimension == 2 && !has_own) keys.emplace_back(key);
+  }
+  return keys;
 }
 
 std::optional<Node> key_of_zone(const Node& zone) {

@@ -16,6 +16,7 @@
 
 #include "blast/design.h"
 #include "document/location.h"
+#include "geometry/earthworks.h"
 #include "geometry/forest.h"
 #include "geometry/height_grid.h"
 #include "geometry/plan_region.h"
@@ -86,6 +87,7 @@ struct SectionPlan {
 struct TerrainPlan {
   PluginUse model;                     ///< of a section: of the terrain in 3D
   std::optional<SectionPlan> section;  ///< 2D
+  Earthworks works;                    ///< 2D, on top of what the model answers
   std::map<std::string, int>
       material_of_part;  ///< index into Scenario::materials; "" for a terrain of one part
   std::vector<Zone> zones;

@@ -1,5 +1,7 @@
 #include "scenario/schema.h"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "blast/blast.h"
@@ -116,6 +118,14 @@ ParamSpec north() {
       at_least(optional(number("north", "rad", "where bearing 0 points, from +x towards +y; 90 deg")),
                -2 * pi),
       2 * pi);
+}
+
+/// Of a ditch or a bund.
+ParamSpec slope_of_sides(double degrees) {
+  return at_most(
+      above(or_else(number("slope", "rad", fmt::format("of its sides; {} deg", degrees)), degrees * pi / 180),
+            0),
+      pi / 2);
 }
 
 /// In place of an azimuth.
@@ -344,7 +354,7 @@ std::vector<SectionSpec> make_sections() {
        {}},
       {"terrain",
        {optional(text("material", "of a terrain of one part")), north()},
-       {"type", "materials", "zones", "faces"}},
+       {"type", "materials", "zones", "faces", "ditch", "bund"}},
       {"terrain 3D",
        {optional(
             vector("origin", "m",
@@ -355,6 +365,21 @@ std::vector<SectionSpec> make_sections() {
       {"terrain: section",
        {vector("from", "m", "place in plan where x = 0"), vector("to", "m", "place in plan where it ends")},
        {"of"}},
+      {"terrain.ditch",
+       {number("x", "m", "where its near edge is"), above(number("width", "m", "of its level bottom"), 0),
+        above(number("depth", "m", "of the bottom below the ground at its near edge"), 0),
+        slope_of_sides(45)},
+       {}},
+      {"terrain.bund",
+       {optional(number("x", "m", "where its near foot is; or by `distance` from a ditch")),
+        optional(at_least(number("distance", "m", "from the far edge of the ditch; 0"), 0)),
+        above(number("height", "m", "above the ground at its near foot"), 0),
+        or_else(at_least(number("top", "m", "width of its level top"), 0), 1), slope_of_sides(37)},
+       {}},
+      {"layer",
+       {file("layer", "of a GIS or of CAD, read by GDAL: GeoPackage, shapefile, KML, DXF, GeoJSON"),
+        optional(text("name", "of the layer, where the file has several"))},
+       {"where"}},
       {"terrain.zones",
        {text("name", "its part, in `materials`"), number("from", "m", "least x"),
         number("to", "m", "greatest x")},
@@ -401,7 +426,9 @@ std::vector<SectionSpec> make_sections() {
       {"blast.scatter", scatter_keys(), {}},
       {"blast.face",
        {optional(file("mesh", "the face as triangles, an OBJ, PLY or STL file in metres")),
-        optional(file("points", "a table `x, y, z` of measured points of the face")),
+        optional(file("points", "measured points of the face: a table `x, y, z`, XYZ or LAS")),
+        optional(at_most(
+            at_least(integer("class", "of the points of a LAS file; all where it is left out"), 0), 255)),
         optional(file("profiles",
                       "a table `hole, depth, distance`: the horizontal distance from the axis of a "
                       "hole to the face, at right angles to its row")),

@@ -77,6 +77,11 @@ Terrain2 profile_ground(Profile profile, const TerrainPlan& plan) {
       throw PluginError(
           fmt::format("plugin {}: the point {} of a profile is more than 100 km from the origin", name,
                       place_text(point)));
+  try {
+    profile = with_earthworks(std::move(profile), plan.works);
+  } catch (const EarthworksError& error) {
+    throw PluginError(fmt::format("plugin {}: {}", name, error.what()));
+  }
   return Terrain2(with_faces(with_zones(std::move(profile), plan.zones), plan.faces));
 }
 

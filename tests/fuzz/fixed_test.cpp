@@ -63,3 +63,19 @@ TEST_CASE("200 fixed tables of holes are read as they are meant, or refused") {
   REQUIRE(sum_of(tallies).findings() == 0);
   std::filesystem::remove_all(settings.findings);
 }
+
+TEST_CASE("200 damaged workbooks, layers and clouds each are read, or refused in lines with a place") {
+  for (const char* kind : {"sheets", "layers"}) {
+    FuzzSettings settings;
+    settings.mutants = 200;
+    settings.kind = kind;
+    settings.seed = 1;
+    settings.findings =
+        std::filesystem::temp_directory_path() / ("flyrock_survey_findings_" + std::to_string(::getpid()));
+    const std::vector<KindTally> tallies = fuzz(settings);
+    INFO(table_of(tallies) << settings.findings << " has the files");
+    CHECK(sum_of(tallies).mutants == 200);
+    REQUIRE(sum_of(tallies).findings() == 0);
+    std::filesystem::remove_all(settings.findings);
+  }
+}

@@ -27,6 +27,8 @@ std::unique_ptr<Kind> make_result_kind();      ///< results.db, manifest.json, s
 std::unique_ptr<Kind> make_arguments_kind();   ///< words of the command line
 std::unique_ptr<Kind> make_scene_kind();       ///< random scenes, judged by their motion
 std::unique_ptr<Kind> make_hole_table_kind();  ///< tables of holes, judged by what is read of them
+std::unique_ptr<Kind> make_sheet_kind();       ///< workbooks with a table of holes, damaged
+std::unique_ptr<Kind> make_layer_kind();       ///< layers of zones and clouds of points, damaged
 std::unique_ptr<Kind> make_terrain_kind();     ///< files of ground, judged by what is read of them
 
 struct KindEntry {
@@ -35,7 +37,7 @@ struct KindEntry {
   int share;  ///< percent of the time and of the mutants; 0: only if it is asked for
 };
 
-inline constexpr std::array<KindEntry, 10> kinds = {{
+inline constexpr std::array<KindEntry, 12> kinds = {{
     {"yaml", make_yaml_kind, 30},
     {"lua", make_lua_kind, 15},
     {"plugin", make_plugin_kind, 15},
@@ -46,6 +48,8 @@ inline constexpr std::array<KindEntry, 10> kinds = {{
     {"scenes", make_scene_kind, 0},
     {"terrain", make_terrain_kind, 0},
     {"tables", make_hole_table_kind, 0},
+    {"sheets", make_sheet_kind, 0},
+    {"layers", make_layer_kind, 0},
 }};
 
 }  // namespace flyrock::fuzz

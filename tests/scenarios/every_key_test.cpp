@@ -180,6 +180,7 @@ TEST_CASE("every key of the schema stands in a scenario of tests/scenarios/every
   }
   for (const SectionSpec& section : section_specs()) {
     std::string place(section.name);
+    if (place == "layer") continue;  // in place of points, and only with the module of GDAL
     const bool is_3d = place.find("3D") != std::string::npos;
     place = place.substr(0, std::min(place.find(':'), place.find(" 3D")));
     for (const std::string& key : section.key_names()) {

@@ -1,0 +1,263 @@
+// flyrock_gdal.so: layers of points, lines and regions in the formats that GDAL reads.
+
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <fmt/format.h>
+#include <gdal.h>
+#include <ogr_api.h>
+#include <ogr_srs_api.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+
+#include "plugin/vector_file.h"
+
+namespace flyrock {
+
+namespace {
+
+constexpr std::size_t most_features = 1'000'000, most_points = 10'000'000;
+constexpr const char* layer_attribute = "Layer";  // of the entities of a DXF file
+
+struct CloseVectors {
+  void operator()(void* dataset) const { GDALClose(dataset); }
+};
+struct DestroyFeature {
+  void operator()(void* feature) const { OGR_F_Destroy(static_cast<OGRFeatureH>(feature)); }
+};
+struct DestroyGeometry {
+  void operator()(void* geometry) const { OGR_G_DestroyGeometry(static_cast<OGRGeometryH>(geometry)); }
+};
+struct DestroySystem {
+  void operator()(void* system) const { OSRRelease(static_cast<OGRSpatialReferenceH>(system)); }
+};
+struct DestroyTransform {
+  void operator()(void* transform) const {
+    OCTDestroyCoordinateTransformation(static_cast<OGRCoordinateTransformationH>(transform));
+  }
+};
+
+/// Options of GDAL that hold while a file is read.
+class WhileReading {
+ public:
+  WhileReading() {
+    CPLPushErrorHandler(CPLQuietErrorHandler);
+    CPLErrorReset();
+    CPLSetThreadLocalConfigOption("OGR_ARC_STEPSIZE", "1");  // degrees: 4 mm of 100 m
+    CPLSetThreadLocalConfigOption("DXF_INLINE_BLOCKS", "YES");
+    CPLSetThreadLocalConfigOption("OGR_GEOJSON_MAX_OBJ_SIZE", "0");
+  }
+  ~WhileReading() { CPLPopErrorHandler(); }
+};
+
+std::string code_of(OGRSpatialReferenceH system) {
+  if (!system) return {};
+  const char* authority = OSRGetAuthorityName(system, nullptr);
+  const char* code = OSRGetAuthorityCode(system, nullptr);
+  if (authority && code) return fmt::format("{}:{}", authority, code);
+  const char* name = OSRGetName(system);
+  return name && *name ? name : "a system without a name";
+}
+
+/// Adds the parts of one layer.
+class LayerReader {
+ public:
+  LayerReader(OGRLayerH layer, const std::string& drawing_layer, VectorLayer& found)
+      : layer_(layer), drawing_layer_(drawing_layer), found_(found) {}
+
+  std::string read(const std::string& crs) {
+    const OGRFeatureDefnH definition = OGR_L_GetLayerDefn(layer_);
+    for (int i = 0; i < OGR_FD_GetFieldCount(definition); ++i)
+      found_.attributes.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(definition, i)));
+    if (std::string wrong = make_transform(crs); !wrong.empty()) return wrong;
+    OGR_L_ResetReading(layer_);
+    while (const OGRFeatureH next = OGR_L_GetNextFeature(layer_)) {
+      const std::unique_ptr<void, DestroyFeature> feature(next);
+      ++number_;
+      if (static_cast<std::size_t>(number_) > most_features)
+        return fmt::format("has more than {} features", most_features);
+      if (!is_wanted(next)) continue;
+      if (std::string wrong = add(next); !wrong.empty())
+        return fmt::format("feature {} of `{}` {}", number_, found_.name, wrong);
+    }
+    return CPLGetLastErrorType() >= CE_Failure
+               ? fmt::format("is cut or damaged: it cannot be read from feature {} on", number_ + 1)
+               : std::string();
+  }
+
+ private:
+  std::string make_transform(const std::string& crs) {
+    const OGRSpatialReferenceH own = OGR_L_GetSpatialRef(layer_);
+    if (own && OSRIsGeographic(own) && lies_beyond_degrees()) return {};  // GeoJSON that says nothing
+    found_.crs = code_of(own);
+    if (!own || OSRIsLocal(own)) {
+      found_.crs.clear();
+      return {};
+    }
+    if (crs == own_system) {
+      if (!OSRIsGeographic(own) && std::abs(OSRGetLinearUnits(own, nullptr) - 1) < 1e-9) return {};
+      return fmt::format("is in {}, whose unit is no metre: `ogr2ogr -t_srs EPSG:NUMBER` transforms it",
+                         found_.crs);
+    }
+    if (crs.empty())
+      return fmt::format(
+          "is in {}, the terrain does not say its system: write `crs: EPSG:NUMBER` in `terrain`", found_.crs);
+    if (found_.crs == crs) return {};
+    const std::unique_ptr<void, DestroySystem> to(OSRNewSpatialReference(nullptr));
+    if (OSRSetFromUserInput(to.get(), crs.c_str()) != OGRERR_NONE)
+      return fmt::format("cannot be transformed to {}, which GDAL does not know", crs);
+    const std::unique_ptr<void, DestroySystem> from(OSRClone(own));
+    OSRSetAxisMappingStrategy(from.get(), OAMS_TRADITIONAL_GIS_ORDER);
+    OSRSetAxisMappingStrategy(to.get(), OAMS_TRADITIONAL_GIS_ORDER);
+    if (OSRIsSame(from.get(), to.get())) return {};
+    transform_.reset(OCTNewCoordinateTransformation(from.get(), to.get()));
+    found_.is_transformed = true;
+    return transform_ ? std::string()
+                      : fmt::format("is in {}, from which no way leads to {}", found_.crs, crs);
+  }
+
+  bool lies_beyond_degrees() const {
+    OGREnvelope extent;
+    return OGR_L_GetExtent(layer_, &extent, TRUE) == OGRERR_NONE &&
+           std::max({std::abs(extent.MinX), std::abs(extent.MaxX), std::abs(extent.MinY),
+                     std::abs(extent.MaxY)}) > 360;
+  }
+
+  bool is_wanted(OGRFeatureH feature) const {
+    if (drawing_layer_.empty()) return true;
+    const int field = OGR_F_GetFieldIndex(feature, layer_attribute);
+    return field >= 0 && drawing_layer_ == OGR_F_GetFieldAsString(feature, field);
+  }
+
+  std::string add(OGRFeatureH feature) {
+    const OGRGeometryH own = OGR_F_GetGeometryRef(feature);
+    if (!own || OGR_G_IsEmpty(own)) return "has no geometry";
+    const std::unique_ptr<void, DestroyGeometry> geometry(
+        OGR_G_HasCurveGeometry(own, FALSE) ? OGR_G_GetLinearGeometry(own, 1, nullptr) : OGR_G_Clone(own));
+    if (transform_ && OGR_G_Transform(geometry.get(), transform_.get()) != OGRERR_NONE)
+      return fmt::format("lies where {} cannot be transformed", found_.crs);
+    VectorPart part;
+    part.feature = number_;
+    for (int i = 0; i < OGR_F_GetFieldCount(feature); ++i)
+      if (OGR_F_IsFieldSetAndNotNull(feature, i))
+        part.attributes.emplace_back(found_.attributes[static_cast<std::size_t>(i)],
+                                     OGR_F_GetFieldAsString(feature, i));
+    return add_geometry(geometry.get(), part);
+  }
+
+  std::string add_geometry(OGRGeometryH geometry, const VectorPart& of) {
+    VectorPart part = of;
+    part.has_heights = OGR_G_Is3D(geometry) != 0;
+    switch (wkbFlatten(OGR_G_GetGeometryType(geometry))) {
+      case wkbPoint:
+      case wkbLineString:
+        part.form = OGR_G_GetPointCount(geometry) == 1 ? FeatureForm::point : FeatureForm::line;
+        part.lines = {points_of(geometry)};
+        break;
+      case wkbPolygon:
+        part.form = FeatureForm::region;
+        for (int i = 0; i < OGR_G_GetGeometryCount(geometry); ++i) {
+          std::vector<Vec3> ring = points_of(OGR_G_GetGeometryRef(geometry, i));
+          if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+          part.lines.push_back(std::move(ring));
+        }
+        break;
+      case wkbMultiPoint:
+      case wkbMultiLineString:
+      case wkbMultiPolygon:
+      case wkbGeometryCollection:
+        for (int i = 0; i < OGR_G_GetGeometryCount(geometry); ++i)
+          if (std::string wrong = add_geometry(OGR_G_GetGeometryRef(geometry, i), of); !wrong.empty())
+            return wrong;
+        return {};
+      default:
+        return fmt::format("is a {}, expected points, lines or polygons", OGR_G_GetGeometryName(geometry));
+    }
+    for (const auto& line : part.lines)
+      for (const Vec3& place : line)
+        if (!place.allFinite()) return "has a place that is no number";
+    if (points_ > most_points) return fmt::format("is beyond the first {} points of the file", most_points);
+    found_.parts.push_back(std::move(part));
+    return {};
+  }
+
+  std::vector<Vec3> points_of(OGRGeometryH line) {
+    std::vector<Vec3> points;
+    for (int i = 0; i < OGR_G_GetPointCount(line); ++i) {
+      const Vec3 place(OGR_G_GetX(line, i), OGR_G_GetY(line, i), OGR_G_GetZ(line, i));
+      if (points.empty() || place != points.back()) points.push_back(place);
+      ++points_;
+    }
+    return points;
+  }
+
+  OGRLayerH layer_;
+  const std::string& drawing_layer_;
+  VectorLayer& found_;
+  std::unique_ptr<void, DestroyTransform> transform_;
+  int number_ = 0;
+  std::size_t points_ = 0;
+};
+
+/// The layers of a drawing, by their entities.
+std::vector<std::string> drawing_layers(OGRLayerH layer) {
+  std::set<std::string> names;
+  OGR_L_ResetReading(layer);
+  while (const OGRFeatureH next = OGR_L_GetNextFeature(layer)) {
+    const std::unique_ptr<void, DestroyFeature> feature(next);
+    const int field = OGR_F_GetFieldIndex(next, layer_attribute);
+    if (field >= 0) names.insert(OGR_F_GetFieldAsString(next, field));
+  }
+  return {names.begin(), names.end()};
+}
+
+std::string read_file(const std::string& path, const std::string& name, const std::string& crs,
+                      VectorLayer& found, std::vector<std::string>& names) {
+  GDALAllRegister();
+  const std::unique_ptr<void, CloseVectors> dataset(
+      GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
+  if (!dataset) return "is no file of layers that can be read: it is damaged, or of another format";
+  const bool is_drawing = std::string(GDALGetDriverShortName(GDALGetDatasetDriver(dataset.get()))) == "DXF";
+  std::vector<std::string> all;
+  OGRLayerH chosen = nullptr;
+  for (int i = 0; i < GDALDatasetGetLayerCount(dataset.get()); ++i) {
+    const OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), i);
+    all.emplace_back(OGR_L_GetName(layer));
+    if (is_drawing || all.back() == name) chosen = layer;
+  }
+  if (all.empty()) return "has no layer";
+  if (is_drawing) {
+    const std::vector<std::string> drawn = drawing_layers(chosen);
+    if (!name.empty() && std::find(drawn.begin(), drawn.end(), name) == drawn.end()) {
+      names = drawn;
+      return names.empty() ? "has no entity" : "";
+    }
+  } else if (!chosen) {
+    if (!name.empty() || all.size() > 1) {
+      names = all;
+      return {};
+    }
+    chosen = GDALDatasetGetLayer(dataset.get(), 0);
+  }
+  found.name = is_drawing && !name.empty() ? name : OGR_L_GetName(chosen);
+  static const std::string any;
+  CPLErrorReset();
+  return LayerReader(chosen, is_drawing ? name : any, found).read(crs);
+}
+
+}  // namespace
+
+extern "C" __attribute__((visibility("default"))) void flyrock_read_vectors(
+    const std::string& path, const std::string& layer, const std::string& crs, VectorLayer& found,
+    std::vector<std::string>& names, std::string& wrong) {
+  const WhileReading options;
+  try {
+    wrong = read_file(path, layer, crs, found, names);
+  } catch (const std::exception& error) {
+    wrong = error.what();
+  }
+}
+
+}  // namespace flyrock

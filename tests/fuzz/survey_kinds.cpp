@@ -1,0 +1,157 @@
+// Files of surveyors, damaged: workbooks with a table of holes, layers of zones, point clouds.
+
+#include <fmt/format.h>
+
+#include "../las_file.h"
+#include "../workbook_file.h"
+#include "corpus.h"
+#include "host/session.h"
+#include "host/share.h"
+#include "kind.h"
+#include "mutate_text.h"
+#include "mutate_tree.h"
+
+namespace flyrock::fuzz {
+
+namespace {
+
+/// What stands around `holes`.
+std::string blast_with(const std::string& holes) {
+  return "flyrock: 1\ndimension: 3\nmethod: ballistic\ntrials: 1\nterrain: { type: plane }\nblast:\n"
+         "  hole: { diameter: 102 mm, length: 12 m }\n  explosive: ANFO\n  burden: 3 m\n  rock_density: "
+         "2700\n"
+         "  holes: { file: \"" +
+         holes +
+         "\" }\nrocks:\n  - { name: r, per_hole: 1, density: 2700, shape: { type: sphere, radius: 0.1 }, "
+         "launch: { type: richards_moore, k: 14 } }\nstop: { time: 60 s }\n";
+}
+
+/// Workbooks whose parts, or whose archive, are damaged.
+class SheetFiles : public Kind {
+ public:
+  void attempt(Dice& dice, Calls& call) override {
+    const bool is_ods = dice.one_in(2);
+    workbooks::Parts parts = is_ods ? ods_parts() : xlsx_parts();
+    if (!dice.one_in(4)) {
+      std::string& content = dice.pick(parts).second;
+      dice.one_in(2) ? mutate_text(content, dictionary_, dice) : mutate_bytes(content, dice);
+    }
+    std::string bytes = workbooks::zip_of(parts);
+    if (dice.one_in(4)) mutate_bytes(bytes, dice);
+    const std::string file = is_ods ? "holes.ods" : "holes.xlsx";
+    write_here(file, bytes);
+    write_here("s.yaml", blast_with(file + (dice.one_in(4) ? "" : dice.one_in(8) ? "#Hols" : "#Holes")));
+    call({"check", "s.yaml"}, ErrorForm::placed);
+  }
+
+ private:
+  static workbooks::Parts xlsx_parts() {
+    const std::string texts =
+        "<si><t>Hole ID</t></si><si><t>x</t></si><si><t>y</t></si><si><t>Burden (m)</t></si>";
+    const std::string sheet =
+        R"(<sheetData><row r="1"><c r="A1" t="s"><v>0</v></c><c r="B1" t="s"><v>1</v></c><c r="C1" t="s"><v>2</v></c>)"
+        R"(<c r="D1" t="s"><v>3</v></c></row><row r="2"><c r="A2" t="inlineStr"><is><t>H1</t></is></c><c r="B2"><v>0</v></c>)"
+        R"(<c r="C2"><v>0</v></c><c r="D2" s="2"><v>3.1</v></c></row><row r="3"><c r="A3"><v>2</v></c><c r="B3"><v>0</v></c>)"
+        R"(<c r="C3"><f>C2+3</f><v>3</v></c><c r="D3" t="str"><v>2.9</v></c></row></sheetData>)";
+    return workbooks::xlsx_parts({{"Holes", sheet}, {"Notes", workbooks::xlsx_sheet({{"note"}})}}, texts);
+  }
+
+  static workbooks::Parts ods_parts() {
+    const auto cell = [](const std::string& text) {
+      return "<table:table-cell office:value-type=\"string\"><text:p>" + text +
+             "</text:p></table:table-cell>";
+    };
+    const auto number = [](const std::string& text) {
+      return "<table:table-cell office:value-type=\"float\" office:value=\"" + text + "\"/>";
+    };
+    return {
+        {"mimetype", "application/vnd.oasis.opendocument.spreadsheet"},
+        {"content.xml",
+         "<office:document-content xmlns:office=\"o\" xmlns:table=\"t\" xmlns:text=\"x\"><office:body>"
+         "<office:spreadsheet><table:table table:name=\"Holes\"><table:table-row>" +
+             cell("Hole ID") + cell("x") + cell("y") + cell("Burden (m)") +
+             "</table:table-row><table:table-row>" + cell("H1") + number("0") + number("0") + number("3.1") +
+             "</table:table-row><table:table-row table:number-rows-repeated=\"1\">" + cell("H2") +
+             number("0") + number("3") + number("2.9") +
+             "</table:table-row><table:table-row table:number-rows-repeated=\"1048573\"><table:table-cell "
+             "table:number-columns-repeated=\"16384\"/></table:table-row></table:table></office:spreadsheet>"
+             "</office:body></office:document-content>"}};
+  }
+
+  Dictionary dictionary_ = make_dictionary(LuaSession(share_folder()).registry());
+};
+
+/// Layers of a zone and clouds of points whose bytes are damaged.
+class LayerFiles : public Kind {
+ public:
+  void attempt(Dice& dice, Calls& call) override {
+    const std::size_t form = dice.below(5);
+    static constexpr const char* endings[] = {"geojson", "dxf", "kml", "las", "xyz"};
+    const std::string file = fmt::format("site.{}", endings[form]);
+    std::string bytes =
+        form == 0   ? geojson
+        : form == 1 ? dxf
+        : form == 2 ? kml
+        : form == 3
+            ? las_files::las_of(survey(), {dice.one_in(2) ? 4 : 2, dice.one_in(2) ? 6 : 0, 30, 2056, 9001})
+            : xyz();
+    form == 3 || dice.one_in(2) ? mutate_bytes(bytes, dice) : mutate_text(bytes, dictionary_, dice);
+    write_here(file, bytes);
+    const bool is_cloud = form >= 3;
+    write_here(
+        "s.yaml",
+        "flyrock: 1\ndimension: 3\nmethod: lumped_mass\nterrain: { " +
+            (is_cloud
+                 ? "type: points, file: " + file + ", " +
+                       (dice.one_in(2) ? "cell: 2 m, max_gap: 4 m" : "triangulate: true, max_gap: 4 m")
+                 : "type: plane, crs: EPSG:2056, zones: [{ name: soft, polygon: { layer: " + file + " } }]") +
+            ", material: rock" + (is_cloud ? "" : ", materials: { soft: rock }") +
+            " }\nmaterials: { rock: { restitution: { type: newton, en: 0.3 }, friction: { type: coulomb, mu: "
+            "0.5 } } }\n"
+            "rocks: [{ name: r, density: 2700, shape: { type: sphere, radius: 0.3 }, release: { x: 2600004, "
+            "y: 1200004, "
+            "above_ground: 1 } }]\nstop: { time: 1 s }\n");
+    call({"check", "s.yaml"}, ErrorForm::placed);
+  }
+
+ private:
+  static std::vector<las_files::LasPoint> survey() {
+    std::vector<las_files::LasPoint> points;
+    for (int row = 0; row < 6; ++row)
+      for (int column = 0; column < 6; ++column)
+        points.push_back(
+            {{2600000. + 2 * column, 1200000. + 2 * row, 10 - 0.5 * column}, column == 3 ? 5 : 2});
+    return points;
+  }
+  static std::string xyz() {
+    std::string text = "x y z\n";
+    for (const las_files::LasPoint& point : survey())
+      text += fmt::format("{} {} {}\n", point.place.x(), point.place.y(), point.place.z());
+    return text;
+  }
+
+  static constexpr const char* geojson =
+      R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::2056"}},"features":[)"
+      R"({"type":"Feature","properties":{"kind":"soft"},"geometry":{"type":"Polygon","coordinates":[[[2600002,1200000],)"
+      R"([2600008,1200000],[2600008,1200009],[2600002,1200009],[2600002,1200000]]]}}]})";
+  static constexpr const char* dxf =
+      "0\nSECTION\n2\nENTITIES\n0\nPOLYLINE\n8\nsoft\n66\n1\n70\n1\n10\n0\n20\n0\n30\n0\n0\nVERTEX\n8\nsoft\n"
+      "10\n2600002\n20\n"
+      "1200000\n30\n0\n42\n0."
+      "2\n0\nVERTEX\n8\nsoft\n10\n2600008\n20\n1200000\n30\n0\n0\nVERTEX\n8\nsoft\n10\n2600008\n20\n1200009\n"
+      "30\n0\n"
+      "0\nSEQEND\n8\nsoft\n0\nENDSEC\n0\nEOF\n";
+  static constexpr const char* kml =
+      R"(<?xml version="1.0"?><kml xmlns="http://www.opengis.net/kml/2.2"><Document><Placemark><name>soft</name><Polygon>)"
+      R"(<outerBoundaryIs><LinearRing><coordinates>7.4386,46.9510 7.4388,46.9510 7.4388,46.9512 7.4386,46.9510</coordinates>)"
+      R"(</LinearRing></outerBoundaryIs></Polygon></Placemark></Document></kml>)";
+
+  Dictionary dictionary_ = make_dictionary(LuaSession(share_folder()).registry());
+};
+
+}  // namespace
+
+std::unique_ptr<Kind> make_sheet_kind() { return std::make_unique<SheetFiles>(); }
+std::unique_ptr<Kind> make_layer_kind() { return std::make_unique<LayerFiles>(); }
+
+}  // namespace flyrock::fuzz
