@@ -58,6 +58,10 @@ hits.set_index("group")[["pn_N_s", "pt_N_s"]].plot.bar(xlabel="", ylabel="impuls
         "The speed of the rod's centre: it slows down at mu = 1.3 (point 0), and stops at once at 1.4 (point 1).",
         """speed = table("SELECT point, time_s, vx_m_s FROM series_bodies")
 speed.pivot_table(index="time_s", columns="point", values="vx_m_s").plot(xlabel="time in s", ylabel="v_x in m/s");"""),
+    "many_answers": (
+        "The speeds upwards: wedge and lifted rod leave, and the rod that falls is stopped by a shock.",
+        """speed = table("SELECT body, time_s, vy_m_s FROM series_bodies")
+speed.pivot_table(index="time_s", columns="body", values="vy_m_s").plot(xlabel="time in s", ylabel="v_y in m/s");"""),
     "rocking_block": (
         "The tilt of the block: each swing is smaller and shorter.",
         """tilt = table("SELECT time_s, angle_rad FROM series_bodies ORDER BY time_s")

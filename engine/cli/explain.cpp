@@ -11,6 +11,7 @@
 #include "cli/explain_text.h"
 #include "cli/loading.h"
 #include "cli/runners.h"
+#include "cli/solutions_text.h"
 #include "report/line_plot.h"
 #include "solver/hdf5_file.h"
 #include "solver/routh.h"
@@ -123,6 +124,8 @@ int explain(const Command& command, const Arguments& arguments) {
                                           "writes the problem in the layout of FCLIB, for `flyrock solve`");
   options.add_options()("routh", po::value<std::string>()->value_name("FILE.svg|csv"),
                         "draws the path of the impact in the plane of its impulses, or writes it as CSV");
+  options.add_options()("solutions",
+                        "all complementary states of up to 12 contacts, feasible or not, and Lemke's path");
   add_override_options(options);
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
@@ -150,10 +153,16 @@ int explain(const Command& command, const Arguments& arguments) {
                                         std::filesystem::path(line.words[0]).filename().string());
   if (line.has("save")) save(*explainer.found(), line.text("save"), title);
   if (line.has("routh")) write_routh(*explainer.found(), line.text("routh"), title);
-  if (line.has("json"))
-    fmt::print("{}\n", json_of(*explainer.found()).dump(1));
-  else
+  std::optional<std::vector<IslandSolutions>> solutions;
+  if (line.has("solutions")) solutions = solutions_of(*explainer.found());
+  if (line.has("json")) {
+    nlohmann::ordered_json json = json_of(*explainer.found());
+    if (solutions) json["solutions"] = json_of(*solutions);
+    fmt::print("{}\n", json.dump(1));
+  } else {
     fmt::print("{}", text_of(*explainer.found(), title));
+    if (solutions) fmt::print("{}", text_of(*explainer.found(), *solutions));
+  }
   return done;
 }
 
