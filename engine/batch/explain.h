@@ -54,6 +54,7 @@ struct Explanation {
   double time = 0;
   double step = 0;  ///< s; 0: an impact
   std::vector<ExplainedContact> contacts;
+  std::vector<std::vector<int>> islands;  ///< the contacts that act on each other
   Eigen::MatrixXd w;     ///< 1/kg
   Eigen::VectorXd free;  ///< m/s, velocity without the impulses of contacts
   std::vector<ExplainedPhase> phases;

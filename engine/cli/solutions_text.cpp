@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "cli/command.h"
-#include "solver/islands.h"
 
 namespace flyrock::cli {
 
@@ -58,19 +57,6 @@ std::string names_of(const std::vector<ContactMode>& states) {
   for (const ContactMode state : states)
     text += fmt::format("{}{}", text.empty() ? "" : ", ", name_of(state));
   return text;
-}
-
-/// The contacts that act on each other, as the solver finds them.
-std::vector<std::vector<int>> islands_of(const Explanation& all) {
-  const auto find = []<int D>(const StoredProblem<D>& stored) {
-    Islands<D> islands;
-    islands.find(stored.problem);
-    std::vector<std::vector<int>> list;
-    for (int i = 0; i < islands.count(); ++i)
-      list.emplace_back(islands.contacts(i).begin(), islands.contacts(i).end());
-    return list;
-  };
-  return std::visit(find, all.problem);
 }
 
 /// Throws InputError unless a contact has Coulomb's friction alone, in 3D none.
@@ -346,7 +332,7 @@ std::vector<IslandSolutions> solutions_of(const Explanation& all) {
   if (all.contacts.empty())
     throw InputError("--solutions: there is no problem, because nothing is in contact");
   std::vector<IslandSolutions> solutions;
-  for (const std::vector<int>& contacts : islands_of(all)) {
+  for (const std::vector<int>& contacts : all.islands) {
     if (contacts.size() > most_enumerated_contacts)
       throw InputError(fmt::format(
           "--solutions tries the states of {} contacts that act on each other at most; here are {}",

@@ -180,6 +180,30 @@ TEST_CASE("explain tries all states of a problem, and follows Lemke's path") {
         std::string::npos);
 }
 
+TEST_CASE("explain follows the law of Liu, Zhao and Brogliato through a cradle") {
+  const Folder folder;
+  const std::string cradle =
+      FLYROCK_SOURCE_DIR "/scenarios/course/cradle.yaml --impact 1 --point 1 --distributing ";
+  const Output shown = call(folder, "explain " + cradle + "1.5");
+  INFO(shown.err);
+  REQUIRE(shown.code == 0);
+  // 1 kg: ball 3 leaves with the impulse of contact 2, ball 1 with 1 - that of contact 1
+  CHECK(shown.out.find("P = 1.07095 N s, v_n = 0.147355 m/s; the run (newton): P = 1.33333 N s") !=
+        std::string::npos);
+  CHECK(shown.out.find("P = 0.994549 N s") != std::string::npos);
+  const auto islands =
+      nlohmann::json::parse(call(folder, "explain " + cradle + "1 --json").out)["distributing"];
+  REQUIRE(islands.size() == 2);
+  CHECK(islands[0]["path"].back()["P_N_s"][1].get<double>() == Approx(0.980032).margin(1e-5));
+  CHECK(call(folder, "explain " + cradle + "0.5")
+            .err.find("--distributing is `0.5`, expected an exponent from 1 to 10") != std::string::npos);
+  const std::string course = FLYROCK_SOURCE_DIR "/scenarios/course/";
+  CHECK(call(folder, "explain " + course + "routh.yaml --impact 1 --distributing 1.5")
+            .err.find("has friction") != std::string::npos);
+  CHECK(call(folder, "explain " + course + "gauss_seidel.yaml --step 1 --distributing 1.5")
+            .err.find("expected --impact N") != std::string::npos);
+}
+
 TEST_CASE("explain says what is wrong with what it is asked") {
   const Folder folder;
   const std::string course = std::string(FLYROCK_SOURCE_DIR) + "/scenarios/course/";
