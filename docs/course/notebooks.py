@@ -58,6 +58,10 @@ hits.set_index("group")[["pn_N_s", "pt_N_s"]].plot.bar(xlabel="", ylabel="impuls
         "The speed of the rod's centre: it slows down at mu = 1.3 (point 0), and stops at once at 1.4 (point 1).",
         """speed = table("SELECT point, time_s, vx_m_s FROM series_bodies")
 speed.pivot_table(index="time_s", columns="point", values="vx_m_s").plot(xlabel="time in s", ylabel="v_x in m/s");"""),
+    "many_answers": (
+        "The speeds upwards: wedge and lifted rod leave, and the rod that falls is stopped by a shock.",
+        """speed = table("SELECT body, time_s, vy_m_s FROM series_bodies")
+speed.pivot_table(index="time_s", columns="body", values="vy_m_s").plot(xlabel="time in s", ylabel="v_y in m/s");"""),
     "rocking_block": (
         "The tilt of the block: each swing is smaller and shorter.",
         """tilt = table("SELECT time_s, angle_rad FROM series_bodies ORDER BY time_s")
@@ -107,6 +111,19 @@ path.plot("time_s", "slope", legend=False, xlabel="time in s", ylabel="slope in 
         "The heights of both balls.",
         """path = table('SELECT "group", trajectories.time_s, y_m FROM trajectories JOIN rocks USING (point, trial, rock) ORDER BY trajectories.time_s')
 path.pivot_table(index="time_s", columns="group", values="y_m").interpolate().plot(xlabel="time in s", ylabel="height in m");"""),
+    "order_and_cost": (
+        "Error over step, and error over cost (1.2 s / step), on logarithmic axes: the slopes are the orders.",
+        """runs = table('SELECT point, "group", abs(stop_y_m - 1.0674726033680484) AS error FROM rocks WHERE point > 1')
+runs["step"] = 0.4515236409857309 / (100 * 2.0 ** (runs.point - 2) + 0.25)
+runs["steps"] = 1.2 / runs.step
+import matplotlib.pyplot as plt
+left, right = plt.subplots(1, 2, figsize=(10, 4), sharey=True)[1]
+for name, part in runs.groupby("group"):
+    left.loglog(part.step, part.error, "o-", label=name)
+    right.loglog(part.steps, part.error, "o-", label=name)
+left.set(xlabel="step in s", ylabel="error in m")
+right.set(xlabel="steps")
+left.legend();"""),
     "clearance": (
         "How many rocks fly how far, with the 95 % percentile.",
         """rocks = table("SELECT runout_m FROM rocks")
@@ -235,7 +252,7 @@ def main():
         return check(options.check)
     options.folder.mkdir(parents=True, exist_ok=True)
     for lab in options.labs or labs():
-        ending = "lua" if lab in ("arch", "drum", "own_law", "waves") else "yaml"
+        ending = "lua" if lab in ("arch", "drum", "order_and_cost", "own_law", "waves") else "yaml"
         file = options.folder / f"{lab}.ipynb"
         file.write_text(json.dumps(notebook(lab, ending), indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
         print(file)

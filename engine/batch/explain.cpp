@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "solver/islands.h"
 #include "solver/nlgs.h"
 #include "solver/residual.h"
 
@@ -107,6 +108,10 @@ Explanation explain(const World<D>& world, const SolveTrace<D>& trace, const Wor
     contact.mu = trace.mu[a];
     all.energy += contact.energy;
   }
+  Islands<D> islands;
+  islands.find(problem);
+  for (int i = 0; i < islands.count(); ++i)
+    all.islands.emplace_back(islands.contacts(i).begin(), islands.contacts(i).end());
   const double tolerance = world.settings().tolerance;
   all.phases.push_back(phase_of(trace.common, trace.restitution ? "compression" : "", tolerance));
   if (trace.restitution) all.phases.push_back(phase_of(*trace.restitution, "restitution", tolerance));

@@ -54,8 +54,9 @@ struct Explanation {
   double time = 0;
   double step = 0;  ///< s; 0: an impact
   std::vector<ExplainedContact> contacts;
-  Eigen::MatrixXd w;     ///< 1/kg
-  Eigen::VectorXd free;  ///< m/s, velocity without the impulses of contacts
+  std::vector<std::vector<int>> islands;  ///< the contacts that act on each other
+  Eigen::MatrixXd w;                      ///< 1/kg
+  Eigen::VectorXd free;                   ///< m/s, velocity without the impulses of contacts
   std::vector<ExplainedPhase> phases;
   Eigen::VectorXd singular_values;  ///< of W, falling
   int rank = 0;                     ///< of W: singular values above 1e-10 of the greatest

@@ -8,12 +8,15 @@
 #include <utility>
 
 #include "batch/safe_file.h"
+#include "cli/distributing_text.h"
 #include "cli/explain_text.h"
 #include "cli/loading.h"
 #include "cli/runners.h"
+#include "cli/solutions_text.h"
 #include "report/line_plot.h"
 #include "solver/hdf5_file.h"
 #include "solver/routh.h"
+#include "units/units.h"
 
 namespace flyrock::cli {
 
@@ -25,6 +28,13 @@ ExplainRequest request_of(const CommandLine& line) {
   if (line.has("impact") == line.has("step")) throw UsageError("expected one of --impact N and --step N");
   const char* which = line.has("impact") ? "impact" : "step";
   return {line.has("impact"), whole_number(line.text(which), fmt::format("--{}", which), 1)};
+}
+
+double exponent_of(const std::string& text) {
+  const std::optional<double> exponent = parse_number(text);
+  if (!exponent || !(*exponent >= 1 && *exponent <= 10))
+    throw UsageError(fmt::format("--distributing is `{}`, expected an exponent from 1 to 10", text));
+  return *exponent;
 }
 
 /// An index below `count`.
@@ -123,6 +133,11 @@ int explain(const Command& command, const Arguments& arguments) {
                                           "writes the problem in the layout of FCLIB, for `flyrock solve`");
   options.add_options()("routh", po::value<std::string>()->value_name("FILE.svg|csv"),
                         "draws the path of the impact in the plane of its impulses, or writes it as CSV");
+  options.add_options()(
+      "distributing", po::value<std::string>()->value_name("EXPONENT"),
+      "the impact by the law of Liu, Zhao and Brogliato, with springs of this exponent (1.5: Hertz)");
+  options.add_options()("solutions",
+                        "all complementary states of up to 12 contacts, feasible or not, and Lemke's path");
   add_override_options(options);
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
@@ -150,10 +165,21 @@ int explain(const Command& command, const Arguments& arguments) {
                                         std::filesystem::path(line.words[0]).filename().string());
   if (line.has("save")) save(*explainer.found(), line.text("save"), title);
   if (line.has("routh")) write_routh(*explainer.found(), line.text("routh"), title);
-  if (line.has("json"))
-    fmt::print("{}\n", json_of(*explainer.found()).dump(1));
-  else
+  std::optional<std::vector<IslandSolutions>> solutions;
+  if (line.has("solutions")) solutions = solutions_of(*explainer.found());
+  std::optional<std::vector<DistributedIsland>> distributed;
+  if (line.has("distributing"))
+    distributed = distribute(*explainer.found(), exponent_of(line.text("distributing")));
+  if (line.has("json")) {
+    nlohmann::ordered_json json = json_of(*explainer.found());
+    if (solutions) json["solutions"] = json_of(*solutions);
+    if (distributed) json["distributing"] = json_of(*distributed);
+    fmt::print("{}\n", json.dump(1));
+  } else {
     fmt::print("{}", text_of(*explainer.found(), title));
+    if (solutions) fmt::print("{}", text_of(*explainer.found(), *solutions));
+    if (distributed) fmt::print("{}", text_of(*explainer.found(), *distributed));
+  }
   return done;
 }
 

@@ -433,14 +433,18 @@ Json compared() {
 
 Json DocumentSchema::expect() {
   Keys keys = section("expect");
-  for (const char* key : {"equals", "tolerance", "relative", "below", "above"}) keys.add(key, compared());
+  for (const char* key : {"equals", "tolerance", "relative", "below", "above", "exact"})
+    keys.add(key, compared());
   Json range = array_of(compared(), 2);
   range["maxItems"] = 2;
   keys.add("between", std::move(range));
   keys.add("at", {{"type", "object"}});
   Json one = keys.object();
   one["oneOf"] = one_of({"equals", "below", "above", "between"});
-  one["dependencies"] = {{"tolerance", Json::array({"equals"})}, {"relative", Json::array({"equals"})}};
+  one["dependencies"] = {{"tolerance", Json::array({"equals"})},
+                         {"relative", Json::array({"equals"})},
+                         {"order_in", Json::array({"exact"})},
+                         {"exact", Json::array({"order_in"})}};
   return array_of(std::move(one));
 }
 

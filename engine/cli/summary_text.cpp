@@ -120,8 +120,8 @@ std::string wanted(const Verdict& verdict) {
 
 std::string verdict_line(const Verdict& verdict, bool sweep) {
   static constexpr const char* words[] = {"ok", "FAILED", "not judged"};
-  std::string text =
-      fmt::format("  {:<11}{}", words[static_cast<int>(verdict.judgement)], verdict.expectation.measure);
+  std::string text = fmt::format("  {:<11}{}", words[static_cast<int>(verdict.judgement)],
+                                 compared_text(verdict.expectation));
   if (sweep && verdict.point >= 0) text += fmt::format(" at point {}", verdict.point);
   // Ten digits, because four would hide how close the value is to a textbook's number.
   text += fmt::format(" = {}{:.10g}, expected {}", verdict.censored ? ">= " : "", verdict.computed,

@@ -70,7 +70,8 @@ std::optional<std::string> Faults<D>::energy_from_nowhere() {
   for (std::size_t i = 0; i < starts_.size(); ++i) {
     const Body<D>& body = world_.bodies[i];
     if (!body.moves()) continue;
-    scale += body.kinetic_energy() + body.mass * g * ((body.x - starts_[i]).norm() + body.size);
+    const double pull = g + body.load.norm();  // m/s2
+    scale += body.kinetic_energy() + body.mass * pull * ((body.x - starts_[i]).norm() + body.size);
     lift += body.mass * g * world_.carry_reach(static_cast<int>(i), -1);
   }
   greatest_ = std::max(greatest_, scale);

@@ -38,7 +38,7 @@ class Faults {
   ///   kinetic + potential + springs
   ///     <= start energy + World::energy_given + World::energy_in_doubt + 1e-6 x greatest energy.
   /// The greatest energy is the largest value so far of the sum over the bodies of kinetic energy and
-  /// m g (distance from the start + size). Call this function after each flight and step.
+  /// (m g + given force) (distance from the start + size). Call this function after each flight and step.
   std::optional<std::string> energy_from_nowhere();
 
   /// The kinetic and potential energy of a body now [J]; 0 of one that has left.

@@ -86,8 +86,8 @@ void add_expectations(const SqliteFile& file, const Results& results) {
   for (const Verdict& v : results.verdicts) {
     const bool between = v.expectation.kind == ExpectKind::between;
     // Absent numbers are NaN, which SQLite stores as NULL.
-    rows.row(number++, v.expectation.measure, v.point < 0 ? none : static_cast<double>(v.point), v.computed,
-             expect_kind_names[static_cast<std::size_t>(v.expectation.kind)], v.expectation.value,
+    rows.row(number++, compared_text(v.expectation), v.point < 0 ? none : static_cast<double>(v.point),
+             v.computed, expect_kind_names[static_cast<std::size_t>(v.expectation.kind)], v.expectation.value,
              between ? v.expectation.high : none, v.tolerance,
              v.judgement == Judgement::not_judged ? none : double(v.judgement == Judgement::passed),
              v.reason);

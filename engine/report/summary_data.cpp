@@ -494,7 +494,7 @@ Json materials_data(const Scenario& scenario, const std::vector<MaterialUse>& us
 
 Json verdict_data(const Verdict& verdict) {
   const Expectation& e = verdict.expectation;
-  Json data = {{"measure", e.measure},
+  Json data = {{"measure", compared_text(e)},
                {"point", verdict.point < 0 ? Json(nullptr) : Json(verdict.point)},
                {"computed", number(verdict.computed)},
                {"kind", expect_kind_names[static_cast<std::size_t>(e.kind)]}};

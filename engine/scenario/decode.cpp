@@ -321,6 +321,10 @@ class PlanDecoder {
     if (!expect) return;
     const std::vector<Node> items = expect->items();
     for (std::size_t i = 0; i < items.size(); ++i) {
+      if (const auto order_in = items[i].find("order_in"); order_in && plan_.points.front().expect[i].order) {
+        const std::string axis = swept_number(*order_in);
+        for (Scenario& scenario : plan_.points) scenario.expect[i].order->in = axis;
+      }
       const auto at = items[i].find("at");
       if (!at) continue;
       const std::vector<Node> entries = at->entries();
@@ -330,6 +334,19 @@ class PlanDecoder {
         for (Scenario& scenario : plan_.points) scenario.expect[i].at[k] = exact;
       }
     }
+  }
+
+  /// The path of the axis that `order_in` names.
+  std::string swept_number(const Node& order_in) {
+    const std::string name = *order_in.value->text();
+    std::vector<std::string> paths;
+    for (std::size_t a = 0; a < sweeps_.size(); ++a) {
+      if (plan_.axes[a].is_choice()) continue;
+      paths.push_back(sweeps_[a].path);
+      if (name == sweeps_[a].path || name == sweeps_[a].stream) return sweeps_[a].path;
+    }
+    order_in.error(diagnostics_, fmt::format("no number is swept at `{}`{}", name, suggestion(name, paths)));
+    return {};
   }
 
   std::pair<std::string, double> resolve_at(const Node& entry, double value) {

@@ -22,6 +22,11 @@ Expectation decode_expectation(const Node& item, const MeasureNames& names) {
   }
   if (const Value* tolerance = item.value->find("tolerance")) expectation.tolerance = si_of(*tolerance);
   if (const Value* relative = item.value->find("relative")) expectation.relative = si_of(*relative);
+  const Value *order_in = item.value->find("order_in"), *exact = item.value->find("exact");
+  if (order_in && order_in->text() && exact) {
+    expectation.order = Expectation::Order{si_of(*exact), *order_in->text()};
+    expectation.unit = si_unit(dimension::none);
+  }
   if (const auto at = item.find("at"))
     for (const Node& entry : at->entries()) expectation.at.emplace_back(entry.key, si_of(*entry.value));
   return expectation;

@@ -57,8 +57,21 @@ void put_sweep_points(DecodeContext& context, const Node& item, Map& map) {
   put(map, *at, map_value(std::move(points)));
 }
 
-/// What a measure is compared with.
-void put_values(DecodeContext& context, const Node& item, const Dimension& dimension, Map& map) {
+/// `exact`, which stands beside `order_in`. Whether there are both.
+bool put_order(DecodeContext& context, const Node& item, const Dimension& dimension, Map& map) {
+  const auto order_in = item.find("order_in"), exact = item.find("exact");
+  if (order_in.has_value() != exact.has_value())
+    (order_in ? order_in : exact)
+        ->error(context.diagnostics, order_in ? "needs `exact`, the number from which errors count"
+                                              : "stands beside `order_in` only");
+  if (exact) put(map, *exact, normalise_expected(context, *exact, dimension));
+  return order_in && exact;
+}
+
+/// What a measure, or the order of its error, is compared with.
+void put_values(DecodeContext& context, const Node& item, const Dimension& of_measure, Map& map) {
+  const bool is_order = put_order(context, item, of_measure, map);
+  const Dimension& dimension = is_order ? dimension::none : of_measure;
   const std::vector<std::string> kinds(expect_kind_names.begin(), expect_kind_names.end());
   std::vector<std::string> given;
   for (const std::string& kind : kinds)

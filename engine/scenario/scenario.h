@@ -416,6 +416,14 @@ struct Expectation {
   /// The values of axes (SI; of choices the index) at which it is judged; empty: at all points
   std::vector<std::pair<std::string, double>> at;
   std::string unit;  ///< SI, of the measure
+
+  /// What is compared is the order of the measure's error: the slope of log |measure - exact| over log of a
+  /// swept number.
+  struct Order {
+    double exact = 0;  ///< SI
+    std::string in;    ///< the path of the axis
+  };
+  std::optional<Order> order;
 };
 
 /// What is asked of the points of a sweep (`answer`): the one with the least number of those that keep the

@@ -681,8 +681,9 @@ std::vector<SectionSpec> make_sections() {
         boolean("product", false, "each row at each point of the sweeps elsewhere")},
        {"rows"}},
       {"expect",
-       {text("measure", "what is compared")},
-       {"equals", "tolerance", "relative", "below", "above", "between", "at"}},
+       {text("measure", "what is compared"),
+        optional(text("order_in", "a swept number: what is compared is the order of the error in it"))},
+       {"equals", "tolerance", "relative", "below", "above", "between", "exact", "at"}},
       {"answer", {text("least", "the measure whose least number makes a point the best")}, {"such_that"}},
       {"answer.such_that", {text("measure", "what has a limit")}, {"below", "above"}},
   };

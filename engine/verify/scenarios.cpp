@@ -44,8 +44,8 @@ void check_scenario(Checks& checks, const std::string& path, const std::string& 
   }
   for (const Verdict& verdict : make_results(loaded->plan, rows, facts).verdicts) {
     const Expectation& expectation = verdict.expectation;
-    std::string row = fmt::format("{}: {}{}", name, expectation.measure, bound_text(expectation.kind));
-    if (loaded->plan.points.size() > 1) row += fmt::format(", point {}", verdict.point);
+    std::string row = fmt::format("{}: {}{}", name, compared_text(expectation), bound_text(expectation.kind));
+    if (loaded->plan.points.size() > 1 && !expectation.order) row += fmt::format(", point {}", verdict.point);
     checks.push_back({row, "run", verdict.computed, expectation.value, verdict.tolerance,
                       verdict.judgement == Judgement::passed});
   }

@@ -140,6 +140,70 @@ TEST_CASE("explain draws the path of an impact in impulse space") {
   CHECK(call(folder, "explain " + course + "rolling.yaml --step 1 --routh x.svg").code == 2);
 }
 
+TEST_CASE("explain tries all states of a problem, and follows Lemke's path") {
+  const Folder folder;
+  const std::string lab = FLYROCK_SOURCE_DIR "/scenarios/course/many_answers.yaml --step 1 --solutions";
+  const Output shown = call(folder, "explain " + lab);
+  INFO(shown.err);
+  REQUIRE(shown.code == 0);
+  const auto after = [&](const std::string& heading) { return shown.out.substr(shown.out.find(heading)); };
+  CHECK(after("all states of contacts 1, 2: impulses")
+            .find("5 states are feasible, with 2 different motions: the "
+                  "problem has several solutions") != std::string::npos);
+  CHECK(after("all states of contact 3: forces")
+            .find("No state is feasible: the problem has no solution in forces.\n") != std::string::npos);
+  CHECK(after("all states of contact 3: forces").find("The path ends on a ray: f_n of 3 grows") !=
+        std::string::npos);
+  CHECK(after("all states of contact 4: forces").find("2 states are feasible") < 400);
+
+  const auto islands = nlohmann::json::parse(call(folder, "explain " + lab + " --json").out)["solutions"];
+  REQUIRE(islands.size() == 3);
+  CHECK(islands[0]["contacts"] == nlohmann::json::array({1, 2}));
+  CHECK(islands[0]["impulses"]["motions"].size() == 2);
+  CHECK(islands[1]["impulses"]["feasible"] == 1);
+  CHECK(islands[1]["forces"]["feasible"] == 0);
+  CHECK(islands[1]["forces"]["lemke"]["end"] == "ray");
+  CHECK(islands[2]["impulses"]["feasible"] == 3);
+  CHECK(islands[2]["forces"]["states"][1]["f"][0].get<double>() == Approx(122.625).epsilon(1e-4));
+
+  const auto refused = [&](const std::string& line) {
+    const Output output =
+        call(folder, "explain " FLYROCK_SOURCE_DIR "/scenarios/course/" + line + " --solutions");
+    CHECK(output.code == 2);
+    return output.err;
+  };
+  CHECK(refused("rolling.yaml --step 1").find("friction in 3D") != std::string::npos);
+  CHECK(refused("arch.lua --step 1")
+            .find("tries the states of 12 contacts that act on each other at most; here are") !=
+        std::string::npos);
+  CHECK(refused("penalty_or_signorini.yaml --step 1").find("expected contacts with Coulomb's friction") !=
+        std::string::npos);
+}
+
+TEST_CASE("explain follows the law of Liu, Zhao and Brogliato through a cradle") {
+  const Folder folder;
+  const std::string cradle =
+      FLYROCK_SOURCE_DIR "/scenarios/course/cradle.yaml --impact 1 --point 1 --distributing ";
+  const Output shown = call(folder, "explain " + cradle + "1.5");
+  INFO(shown.err);
+  REQUIRE(shown.code == 0);
+  // 1 kg: ball 3 leaves with the impulse of contact 2, ball 1 with 1 - that of contact 1
+  CHECK(shown.out.find("P = 1.07095 N s, v_n = 0.147355 m/s; the run (newton): P = 1.33333 N s") !=
+        std::string::npos);
+  CHECK(shown.out.find("P = 0.994549 N s") != std::string::npos);
+  const auto islands =
+      nlohmann::json::parse(call(folder, "explain " + cradle + "1 --json").out)["distributing"];
+  REQUIRE(islands.size() == 2);
+  CHECK(islands[0]["path"].back()["P_N_s"][1].get<double>() == Approx(0.980032).margin(1e-5));
+  CHECK(call(folder, "explain " + cradle + "0.5")
+            .err.find("--distributing is `0.5`, expected an exponent from 1 to 10") != std::string::npos);
+  const std::string course = FLYROCK_SOURCE_DIR "/scenarios/course/";
+  CHECK(call(folder, "explain " + course + "routh.yaml --impact 1 --distributing 1.5")
+            .err.find("has friction") != std::string::npos);
+  CHECK(call(folder, "explain " + course + "gauss_seidel.yaml --step 1 --distributing 1.5")
+            .err.find("expected --impact N") != std::string::npos);
+}
+
 TEST_CASE("explain says what is wrong with what it is asked") {
   const Folder folder;
   const std::string course = std::string(FLYROCK_SOURCE_DIR) + "/scenarios/course/";

@@ -43,6 +43,26 @@ Expectation expecting(ExpectKind kind, double value, double high = 0, double tol
   return expectation;
 }
 
+/// The order of an error over runs whose step halves, with these mean runouts.
+Verdict judge_order(const std::vector<double>& runouts, const Expectation& expectation) {
+  Plan plan;
+  plan.axes.push_back({"solver.time_step", {}});
+  std::vector<PointResult> results;
+  double step = 1;
+  for (const double runout : runouts) {
+    Scenario scenario = of_rocks();
+    scenario.expect = {expectation};
+    RockRecord rock;
+    rock.runout = runout;
+    rock.reason = StopReason::stopped;
+    results.push_back(result_of(scenario, {rock}));
+    plan.points.push_back(std::move(scenario));
+    plan.at.push_back({step});
+    step /= 2;
+  }
+  return judge(plan, results, true).front();
+}
+
 Verdict judge_one(const Expectation& expectation, Scenario scenario, PointResult result, bool full = true) {
   scenario.expect = {expectation};
   Plan plan;
@@ -123,6 +143,21 @@ TEST_CASE("Expectations compare as they are written") {
   CHECK(judged(expecting(ExpectKind::below, 100)) == Judgement::failed);
   CHECK(judged(expecting(ExpectKind::above, 99)) == Judgement::passed);
   CHECK(judged(expecting(ExpectKind::between, 100, 120)) == Judgement::passed);
+}
+
+TEST_CASE("An order is the slope of the error over the step, on logarithmic axes") {
+  Expectation order = expecting(ExpectKind::between, 1.99, 2.01);
+  order.order = Expectation::Order{100, "solver.time_step"};
+  const Verdict second = judge_order({104, 101, 100.25}, order);
+  CHECK(second.judgement == Judgement::passed);
+  CHECK(second.computed == Approx(2));
+  CHECK(compared_text(second.expectation) == "order of rocks.runout.mean in solver.time_step");
+  CHECK(judge_order({104, 102, 101}, order).computed == Approx(1));
+  CHECK(judge_order({104, 102, 101}, order).judgement == Judgement::failed);
+  CHECK(judge_order({96, 102, 99}, order).computed == Approx(1));  // errors of either sign
+  CHECK(judge_order({104, 100}, order).reason == "the error at point 1 is 0, so that there is no order");
+  CHECK(judge_order({104}, order).reason ==
+        "an order needs points with different values of `solver.time_step`");
 }
 
 TEST_CASE("What cannot be judged soundly fails or is not judged, with the reason") {
