@@ -12,6 +12,7 @@ PACKAGES_format := clang-format
 PACKAGES_tidy := clang clang-tidy
 PACKAGES_notebooks := jupyter-nbconvert python3-ipykernel python3-pandas python3-matplotlib
 PACKAGES_site := mkdocs mkdocs-material
+PACKAGES_pdf := python3-markdown chromium
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 JOBS := $(shell nproc)
 PLOTLY := node_modules/plotly.js-gl3d-dist-min/plotly-gl3d.min.js
@@ -35,6 +36,7 @@ help:
 	@echo "make course write the pictures of the course's pages"
 	@echo "make picture   write the picture of the README: the top of the report that make demo writes"
 	@echo "make notebooks   write the labs of the course as Jupyter notebooks into out/notebooks, and execute them"
+	@echo "make course-pdf  write the course as PDF into out/course-pdf: its pages, and its solutions apart"
 	@echo "make site   write the pages as a web site into out/site"
 	@echo "make release   archive, packages, site and their checksums, into out/release"
 	@echo "make archive   pack flyrock with all that it needs for other and older systems, into out/archive"
@@ -184,6 +186,10 @@ notebooks: build-bench packages-notebooks
 	cd out/notebooks && PYDEVD_DISABLE_FILE_VALIDATION=1 PATH="$(CURDIR)/build/bench/bin:$$PATH" jupyter-nbconvert --to notebook --execute --inplace --log-level=WARN *.ipynb
 	python3 docs/course/notebooks.py --check out/notebooks
 
+# The course as two PDF files, printed by Chromium.
+course-pdf: packages-pdf
+	/usr/bin/python3 docs/course/pdf.py out/course-pdf
+
 # The pages as a web site, with search; nothing in it is fetched from another server.
 site: packages-site
 	python3 docs/site.py out/site-source
@@ -196,4 +202,4 @@ drawings:
 clean:
 	rm -rf build out
 
-.PHONY: help estimate install release deb archive notebooks site deps deps-build deps-browser deps-format format tidy demo test test-heavy test-bare golden fuzz bench validation reference course picture drawings clean
+.PHONY: help estimate install release deb archive notebooks course-pdf site deps deps-build deps-browser deps-format format tidy demo test test-heavy test-bare golden fuzz bench validation reference course picture drawings clean

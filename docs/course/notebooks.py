@@ -150,6 +150,10 @@ def table(query):
         return pd.read_sql_query(query, results)"""
 
 
+# What IPython runs has a terminal, for which flyrock writes its progress and bold words; a pipe has none.
+PIPED = " 2>&1 | cat"
+
+
 def markdown(text):
     return {"cell_type": "markdown", "metadata": {}, "source": text.strip()}
 
@@ -171,9 +175,9 @@ def commands(text, lab):
         line = re.sub(r" +", " ", line)
         if line == f"flyrock course {lab}":
             # The page is the notebook itself: what comes after it is the run.
-            cell += [f"!flyrock course {lab} | sed '1,/^---/d'"]
+            cell += [f"!flyrock course {lab} 2>&1 | sed '1,/^---/d'"]
         else:
-            cell += ["!" + line.replace("-o out/", "--force -o out/")]
+            cell += ["!" + line.replace("-o out/", "--force -o out/") + PIPED]
     pictures = [f'display(SVG("{name}"))' for name in re.findall(r"(\w+\.svg)", text)]
     return "\n".join(cell + pictures)
 
@@ -198,7 +202,7 @@ def notebook(lab, scenario_ending):
             cells.append(code(commands(part, lab)))
             if f"flyrock course {lab}\n" in part:
                 until = " --until 12s" if lab == "dzhanibekov" else ""
-                picture = f"!flyrock animate out/course/{lab}{until} -o {lab}.svg\ndisplay(SVG(\"{lab}.svg\"))"
+                picture = f"!flyrock animate out/course/{lab}{until} -o {lab}.svg{PIPED}\ndisplay(SVG(\"{lab}.svg\"))"
                 cells += [code(picture)] + ([markdown(caption)] if caption else [])
                 words, lines = PLOTS[lab]
                 cells += [markdown(words), code(lines)]
@@ -207,7 +211,7 @@ def notebook(lab, scenario_ending):
     exercises, blocks = re.subn(r"```sh\n(.*?)```\n", r"    \1", exercises, flags=re.S)
     cells.append(markdown("**Exercises" + without_folder_links(exercises)))
     cells.append(code(f"# For the exercises: change a value, and drop the expectations, which are of the lab as it is.\n"
-                      f"!flyrock course {lab} --set 'expect=[]' | sed '1,/^---/d'"))
+                      f"!flyrock course {lab} --set 'expect=[]' 2>&1 | sed '1,/^---/d'"))
     for number, cell in enumerate(cells):
         cell["id"] = f"{lab}-{number}".replace("_", "-")[:64]
     return {"cells": cells, "nbformat": 4, "nbformat_minor": 5, "metadata": {
@@ -230,6 +234,8 @@ def faults(lab, folder):
         yield f"verdict {verdicts[:1]}"
     if "error: " in text or any(output["output_type"] == "error" for output in outputs):
         yield "an error"
+    if "\x1b" in text:
+        yield "a code of a terminal"
     for kind in ("image/svg+xml", "image/png"):
         if not any(kind in output.get("data", {}) for output in outputs):
             yield f"no {kind}"

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "cli/command.h"
+#include "cli/explain_text.h"
 
 namespace flyrock::cli {
 
@@ -34,10 +35,6 @@ std::vector<const DistributingPoint*> samples(const std::vector<DistributingPoin
   for (std::size_t k = 0; k < count; ++k)
     points.push_back(&path[count == 1 ? 0 : k * (path.size() - 1) / (count - 1)]);
   return points;
-}
-
-nlohmann::ordered_json list_of(const Eigen::VectorXd& values) {
-  return std::vector<double>(values.data(), values.data() + values.size());
 }
 
 }  // namespace

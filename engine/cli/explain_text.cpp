@@ -172,10 +172,7 @@ void put_result(const Explanation& all, Out out) {
                  std::abs(all.energy));
 }
 
-nlohmann::ordered_json list_of(const Eigen::VectorXd& values) {
-  return std::vector<double>(values.data(), values.data() + values.size());
-}
-nlohmann::ordered_json list_of(const Vec3& v, int dimension) {
+nlohmann::ordered_json coordinates_of(const Vec3& v, int dimension) {
   return std::vector<double>(v.data(), v.data() + dimension);
 }
 
@@ -183,9 +180,9 @@ nlohmann::ordered_json json_of(const ExplainedContact& contact, int dimension) {
   const ContactLaw& law = contact.law;
   return {{"a", contact.a},
           {"b", contact.b},
-          {"place_m", list_of(contact.place, dimension)},
-          {"normal", list_of(contact.normal, dimension)},
-          {"tangent", list_of(contact.tangent, dimension)},
+          {"place_m", coordinates_of(contact.place, dimension)},
+          {"normal", coordinates_of(contact.normal, dimension)},
+          {"tangent", coordinates_of(contact.tangent, dimension)},
           {"gap_m", contact.gap},
           {"condition", name_of(law.condition)},
           {"impact", contact.impact},
@@ -218,6 +215,10 @@ nlohmann::ordered_json json_of(const ExplainedPhase& phase) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json list_of(const Eigen::VectorXd& values) {
+  return std::vector<double>(values.data(), values.data() + values.size());
+}
 
 std::string text_of(const Explanation& all, const std::string& title) {
   std::string text;

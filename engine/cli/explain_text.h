@@ -14,4 +14,7 @@ std::string text_of(const Explanation& explanation, const std::string& title);
 /// All sweeps and all numbers with full precision; matrices as lists of rows, vectors contact by contact.
 nlohmann::ordered_json json_of(const Explanation& explanation);
 
+/// The numbers of a vector.
+nlohmann::ordered_json list_of(const Eigen::VectorXd& values);
+
 }  // namespace flyrock::cli

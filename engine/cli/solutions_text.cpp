@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/command.h"
+#include "cli/explain_text.h"
 
 namespace flyrock::cli {
 
@@ -293,10 +294,6 @@ std::string contacts_text(const SolvedStates& solved) {
 }
 
 // ---- as JSON
-
-nlohmann::ordered_json list_of(const Eigen::VectorXd& values) {
-  return std::vector<double>(values.data(), values.data() + values.size());
-}
 
 nlohmann::ordered_json json_of(const SolvedStates& solved, const Words& words) {
   nlohmann::ordered_json states = nlohmann::ordered_json::array(), pivots = states, motions = states;
