@@ -97,6 +97,9 @@ class LayerFiles : public Kind {
             : xyz();
     form == 3 || dice.one_in(2) ? mutate_bytes(bytes, dice) : mutate_text(bytes, dictionary_, dice);
     write_here(file, bytes);
+    write_here("slope.obj",
+               "v 2600000 1200000 40\nv 2600080 1200000 0\nv 2600080 1200060 0\nv 2600000 1200060 40\n"
+               "f 1 2 3\nf 1 3 4\n");
     const bool is_cloud = form >= 3;
     write_here(
         "s.yaml",
@@ -104,7 +107,8 @@ class LayerFiles : public Kind {
             (is_cloud
                  ? "type: points, file: " + file + ", " +
                        (dice.one_in(2) ? "cell: 2 m, max_gap: 4 m" : "triangulate: true, max_gap: 4 m")
-                 : "type: plane, crs: EPSG:2056, zones: [{ name: soft, polygon: { layer: " + file + " } }]") +
+                 : "type: mesh, file: slope.obj, crs: EPSG:2056, zones: [{ name: soft, polygon: { layer: " +
+                       file + " } }]") +
             ", material: rock" + (is_cloud ? "" : ", materials: { soft: rock }") +
             " }\nmaterials: { rock: { restitution: { type: newton, en: 0.3 }, friction: { type: coulomb, mu: "
             "0.5 } } }\n"
@@ -143,7 +147,7 @@ class LayerFiles : public Kind {
       "0\nSEQEND\n8\nsoft\n0\nENDSEC\n0\nEOF\n";
   static constexpr const char* kml =
       R"(<?xml version="1.0"?><kml xmlns="http://www.opengis.net/kml/2.2"><Document><Placemark><name>soft</name><Polygon>)"
-      R"(<outerBoundaryIs><LinearRing><coordinates>7.4386,46.9510 7.4388,46.9510 7.4388,46.9512 7.4386,46.9510</coordinates>)"
+      R"(<outerBoundaryIs><LinearRing><coordinates>7.43863,46.95108 7.43873,46.95108 7.43873,46.95116 7.43863,46.95108</coordinates>)"
       R"(</LinearRing></outerBoundaryIs></Polygon></Placemark></Document></kml>)";
 
   Dictionary dictionary_ = make_dictionary(LuaSession(share_folder()).registry());
