@@ -98,7 +98,7 @@ TEST_CASE("a bad mesh is one line with file, line and what was expected") {
     std::string mesh, says;
   };
   const std::vector<Bad> all{
-      {"", "block.msh:0: is no file of Gmsh, expected `$MeshFormat` in its first line"},
+      {"", "block.msh:1: is no file of Gmsh, expected `$MeshFormat` in its first line"},
       {small(square, 4, "1 1 2 3\n2 1 3 4\n", 2, "2", "4.1 1 8"),
        "block.msh:2: is binary, expected ASCII: gmsh FILE -save -format msh41 -bin 0"},
       {small(square, 4, "1 1 2 3\n2 1 3 4\n", 2, "2", "2.2 0 8"),
