@@ -87,6 +87,14 @@ force.pivot_table(index="time_s", columns="a", values="rn_N").fillna(0).plot(xla
         """path = table("SELECT point, x_m, y_m FROM series_bodies ORDER BY point, time_s")
 for point, part in path.groupby("point"):
     axes = part.plot("x_m", "y_m", ax=axes if point else None, label=f"point {point}", xlabel="x in m", ylabel="y in m")"""),
+    "bar_on_wall": (
+        "The force of the wall for 10, 20 and 40 squares along the bar: it oscillates about rho c v A = 1.162 MN.",
+        """force = table("SELECT point, time_s, sum(rn_N) AS force FROM series_contacts GROUP BY point, time_s")
+force.pivot(index="time_s", columns="point", values="force").plot(xlabel="time in s", ylabel="force in N");"""),
+    "restitution_from_waves": (
+        "The energy that each block has left: what damping and contacts take does not come back.",
+        """energy = table("SELECT body, time_s, kinetic_energy_J + potential_energy_J AS energy FROM series_bodies")
+energy.pivot_table(index="time_s", columns="body", values="energy").plot(xlabel="time in s", ylabel="energy in J");"""),
     "dzhanibekov": (
         "Where the axis of `middle` points, about which it turns: 1 is up, -1 turned over. The quaternion turns the box to the world.",
         """turn = table("SELECT trajectories.time_s, qx, qz FROM trajectories JOIN rocks USING (point, trial, rock) "
@@ -107,6 +115,12 @@ foot.plot("time_s", ["weight", "thrust"], xlabel="time in s", ylabel="force in N
 import numpy
 path["slope"] = numpy.degrees(numpy.arctan2(path.x, -path.y))
 path.plot("time_s", "slope", legend=False, xlabel="time in s", ylabel="slope in degrees");"""),
+    "brazilian": (
+        "The tension that 1 % of the disk exceeds, over the load of a plate: 2 P/(pi D t).",
+        """load = table("SELECT time_s, sum(rn_N) AS load FROM series_contacts WHERE 'upper' IN (a, b) GROUP BY time_s")
+stress = table("SELECT time_s, tension_1pct_Pa FROM series_stress")
+axes = load.merge(stress, on="time_s").plot("load", "tension_1pct_Pa", style="o", legend=False, xlabel="load in N", ylabel="tension in Pa")
+axes.plot([0, load.load.max()], [0, 2 * load.load.max() / 3.14159265]);"""),
     "penalty_or_signorini": (
         "The heights of both balls.",
         """path = table('SELECT "group", trajectories.time_s, y_m FROM trajectories JOIN rocks USING (point, trial, rock) ORDER BY trajectories.time_s')

@@ -44,18 +44,20 @@ std::vector<LongStep> long_steps(const Scenario& scenario, const World<D>& world
 template <int D>
 std::string deformable_note(const World<D>& world) {
   if (!world.deforms()) return "";
-  std::string names;
+  std::string names, ignored;
   double sinks = 0;
   for (const Body<D>& body : world.bodies) {
     if (!body.deformation.moves()) continue;
     names += (names.empty() ? "`" : ", `") + body.group + "`";
+    if (const int count = body.deformation.block->model.mesh().ignored; count > 0)
+      ignored += fmt::format("; {} elements of the mesh of `{}` are no triangles of 3 nodes, and are ignored",
+                             count, body.group);
     sinks = std::max(sinks, 0.5 * world.settings().time_step * body.v.norm());
   }
   return fmt::format(
       "deformable: {}: e_n = e_t = 0 at its contacts, whatever the material says; a node may sink by half a "
-      "step "
-      "before it touches, at the start speed by {:.2g} m",
-      names, sinks);
+      "step before it touches, at the start speed by {:.2g} m{}",
+      names, sinks, ignored);
 }
 
 template std::vector<LongStep> long_steps(const Scenario&, const World<2>&);

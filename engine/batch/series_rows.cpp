@@ -17,6 +17,7 @@ SeriesRequest series_of(const Scenario& scenario, const Trial<D>& trial, int wor
   request.names = names_of(scenario, trial, world);
   request.wanted.resize(request.names.bodies.size());
   request.contacts = plan.contacts;
+  request.meshes = plan.meshes;
   request.every = plan.every;
   request.rows = &rows;
   const auto wanted = [&](const std::string& name) {
@@ -38,6 +39,8 @@ void add_series(std::uint64_t trial, Series rows, TrialRecords& out) {
   for (SeriesLink& row : rows.links) out.series_links.push_back({trial, std::move(row)});
   for (const SeriesSolve& row : rows.solves) out.series_solves.push_back({trial, row});
   for (SeriesStress& row : rows.stresses) out.series_stress.push_back({trial, std::move(row)});
+  for (SeriesNode& row : rows.nodes) out.series_nodes.push_back({trial, std::move(row)});
+  for (SeriesCell& row : rows.cells) out.series_cells.push_back({trial, std::move(row)});
 }
 
 template SeriesRequest series_of(const Scenario&, const Trial<2>&, int, Series&);

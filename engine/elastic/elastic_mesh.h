@@ -14,6 +14,7 @@ struct ElasticMesh {
   std::vector<Vec<D>> nodes;
   std::vector<std::array<int, D + 1>> cells;  ///< nodes of each cell; in 2D counter-clockwise
   std::vector<int> surface;                   ///< nodes on the surface; in 2D counter-clockwise
+  int ignored = 0;                            ///< elements of its file that are not among the cells
 };
 
 /// A rectangle about the origin. Its quads are crossed: each is four triangles about its middle, because a

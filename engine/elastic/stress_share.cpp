@@ -26,19 +26,24 @@ double exceeded_in_a_hundredth(std::vector<CellValue>& cells, double volume) {
 
 }  // namespace
 
+PrincipalStress principal_stress(const ElasticModel<2>& model, int cell, const Eigen::VectorXd& u) {
+  const Eigen::Vector3d stress = model.stress(cell, u);
+  const double middle = 0.5 * (stress[0] + stress[1]);
+  const double radius = std::hypot(0.5 * (stress[0] - stress[1]), stress[2]);
+  return {middle + radius, middle - radius};
+}
+
 StressShare stress_share(const ElasticModel<2>& model, const Eigen::VectorXd& u,
                          const std::optional<double>& strength) {
   std::vector<CellValue> tension, compression;
   double volume = 0, above = 0;
   for (int cell = 0; cell < static_cast<int>(model.mesh().cells.size()); ++cell) {
-    const Eigen::Vector3d stress = model.stress(cell, u);
-    const double middle = 0.5 * (stress[0] + stress[1]);
-    const double radius = std::hypot(0.5 * (stress[0] - stress[1]), stress[2]);
+    const PrincipalStress stress = principal_stress(model, cell, u);
     const double own = model.volume(cell);
-    tension.push_back({middle + radius, own});
-    compression.push_back({radius - middle, own});
+    tension.push_back({stress.greatest, own});
+    compression.push_back({-stress.least, own});
     volume += own;
-    if (strength && middle + radius > *strength) above += own;
+    if (strength && stress.greatest > *strength) above += own;
   }
   return {exceeded_in_a_hundredth(tension, volume), exceeded_in_a_hundredth(compression, volume),
           strength ? above / volume : std::numeric_limits<double>::quiet_NaN()};

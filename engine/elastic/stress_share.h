@@ -7,6 +7,12 @@
 
 namespace flyrock {
 
+/// The principal stresses of a cell in the plane [Pa], tension positive.
+struct PrincipalStress {
+  double greatest = 0, least = 0;
+};
+PrincipalStress principal_stress(const ElasticModel<2>& model, int cell, const Eigen::VectorXd& u);
+
 /// Principal stresses in the plane, by volume: the greatest stress of a mesh is no result, because it grows
 /// with each refinement under a contact. Tension positive, and so is compression [Pa].
 struct StressShare {

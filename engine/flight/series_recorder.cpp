@@ -15,7 +15,8 @@ SeriesRecorder<D>::SeriesRecorder(const World<D>& world, const SeriesRequest& re
       request_(request),
       rows_(*request.rows),
       next_(world.time + request.every),
-      last_row_(world.bodies.size(), -1) {
+      last_row_(world.bodies.size(), -1),
+      meshes_(world.bodies.size()) {
   put_bodies();
 }
 
@@ -85,7 +86,7 @@ void SeriesRecorder<D>::put(int body, const BodyState& state, const Attitude<D>&
                           b.kind == BodyKind::dynamic ? -b.mass * world_.gravity().dot(place) : 0,
                           quaternion_of(attitude)});
   rows_.bodies.back().state.position.template head<D>() = place;
-  if (b.deforms()) return put_stress(b, state.time);
+  if (b.deforms()) return put_stress(body, state, attitude);
   if (!b.breathes()) return;
   rows_.bodies.back().potential_energy += potential_energy_of_shape(b);
   rows_.bodies.back().radius = b.breathing.now.radius;
@@ -93,11 +94,11 @@ void SeriesRecorder<D>::put(int body, const BodyState& state, const Attitude<D>&
 
 /// Energy and stress of a deformable block.
 template <int D>
-void SeriesRecorder<D>::put_stress(const Body<D>& body, double time) {
-  const Deformation& own = body.deformation;
+void SeriesRecorder<D>::put_stress(int body, const BodyState& state, const Attitude<D>& attitude) {
+  const Deformation& own = world_.bodies[body].deformation;
   rows_.bodies.back().potential_energy += own.strain_energy();
   const StressShare share = stress_share(own.block->model, own.u, own.strength);
-  rows_.stresses.push_back({.time = time,
+  rows_.stresses.push_back({.time = state.time,
                             .body = rows_.bodies.back().body,
                             .strain = own.strain_energy(),
                             .vibration = own.vibration_energy(),
@@ -107,6 +108,50 @@ void SeriesRecorder<D>::put_stress(const Body<D>& body, double time) {
                             .tension_1pct = share.tension,
                             .compression_1pct = share.compression,
                             .above_strength = share.above_strength});
+  put_mesh(body, state, attitude);
+}
+
+/// The nodes and cells of a deformable block, in place of those of an instant when it was stressed less.
+template <int D>
+void SeriesRecorder<D>::put_mesh(int body, const BodyState& state, const Attitude<D>& attitude) {
+  if constexpr (D == 2) {
+    const Deformation& own = world_.bodies[body].deformation;
+    const auto& mesh = own.block->model.mesh();
+    const SeriesStress& now = rows_.stresses.back();
+    std::optional<Mesh>& last = meshes_[static_cast<std::size_t>(body)];
+    if (request_.meshes || !last) {
+      last = Mesh{now, rows_.nodes.size(), rows_.cells.size()};
+      rows_.nodes.resize(last->node + mesh.nodes.size());
+      rows_.cells.resize(last->cell + mesh.cells.size());
+    } else if (!is_stressed_more(now, last->at)) {
+      return;
+    }
+    last->at = now;
+    const auto in_space = [](const Vec2& v) { return Vec3(v.x(), v.y(), 0); };
+    const Vec2 centre = state.position.template head<2>() + world_.origin;
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+      const Vec2 u = own.displacement(static_cast<int>(i)),
+                 rate = own.rate.segment<2>(2 * static_cast<int>(i));
+      rows_.nodes[last->node + i] = {.time = now.time,
+                                     .body = now.body,
+                                     .node = static_cast<int>(i),
+                                     .place = in_space(centre + attitude.rotation * Vec2(mesh.nodes[i] + u)),
+                                     .displacement = in_space(attitude.rotation * u),
+                                     .rate = in_space(attitude.rotation * rate)};
+    }
+    for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
+      const auto [a, b, c] = mesh.cells[i];
+      const PrincipalStress stress = principal_stress(own.block->model, static_cast<int>(i), own.u);
+      rows_.cells[last->cell + i] = {.time = now.time,
+                                     .body = now.body,
+                                     .cell = static_cast<int>(i),
+                                     .a = a,
+                                     .b = b,
+                                     .c = c,
+                                     .tension = stress.greatest,
+                                     .compression = -stress.least};
+    }
+  }
 }
 
 template <int D>

@@ -1,6 +1,7 @@
 #pragma once
 // Records the series of a world while it runs. Instantiated for D = 2, 3.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct SeriesRequest {
   WorldNames names;
   std::vector<bool> wanted;  ///< which bodies have rows
   bool contacts = true;
+  bool meshes = false;  ///< of deformable bodies at each of their rows; else when they are stressed most
   double every = 0;  ///< s between rows of steps and flights; 0: each step, and the ends of flights
   Series* rows = nullptr;
 };
@@ -38,7 +40,8 @@ class SeriesRecorder {
   bool wanted(int body) const { return body >= 0 && request_.wanted[body]; }
   void put_bodies();
   void put(int body, const BodyState& state, const Attitude<D>& attitude);
-  void put_stress(const Body<D>& body, double time);
+  void put_stress(int body, const BodyState& state, const Attitude<D>& attitude);
+  void put_mesh(int body, const BodyState& state, const Attitude<D>& attitude);
   void put_contacts(double step);
   void put_links(double step);
   void put_solve(double step);
@@ -48,6 +51,12 @@ class SeriesRecorder {
   Series& rows_;
   double next_;                ///< s, of the next row of a step or flight
   std::vector<int> last_row_;  ///< of each body; -1: none
+  /// The mesh of a body as it was put last.
+  struct Mesh {
+    SeriesStress at;
+    std::size_t node = 0, cell = 0;  ///< its first rows
+  };
+  std::vector<std::optional<Mesh>> meshes_;  ///< of each body
 };
 
 }  // namespace flyrock

@@ -140,12 +140,14 @@ void add(Numbers& answer, const Deformable& block) {
   if (!(block.young > 0)) fail("the Young's modulus of a deformable block is not positive");
   for (const double number :
        {static_cast<double>(block.form), block.size.x(), block.size.y(), static_cast<double>(block.cells[0]),
-        static_cast<double>(block.cells[1]), block.radius, static_cast<double>(block.rings), block.young,
-        block.poisson, block.alpha, block.beta, block.tensile_strength.value_or(0)}) {
+        static_cast<double>(block.cells[1]), block.radius, static_cast<double>(block.rings), block.scale,
+        block.young, block.poisson, block.alpha, block.beta, block.tensile_strength.value_or(0)}) {
     if (!(std::isfinite(number) && number >= 0))
       fail("a parameter of a deformable block is negative or not finite");
     answer.push_back(number);
   }
+  if (!block.mesh) return;
+  for (const Vec2& node : block.mesh->nodes) answer.insert(answer.end(), node.begin(), node.end());
 }
 
 template <int D>

@@ -89,7 +89,7 @@ struct TreeRecord : OfRock {
 };
 
 /// A row of a trial: BlockRow, BlockRegionRow, BlockCorner, Fixture, FixtureCorner, SeriesBody,
-/// SeriesContact, SeriesSolve or SeriesStress.
+/// SeriesContact, SeriesSolve, SeriesStress, SeriesNode or SeriesCell.
 template <class Row>
 struct TrialRow {
   std::uint64_t trial = 0;
@@ -132,6 +132,8 @@ struct TrialRecords {
   std::vector<TrialRow<SeriesLink>> series_links;
   std::vector<TrialRow<SeriesSolve>> series_solves;
   std::vector<TrialRow<SeriesStress>> series_stress;
+  std::vector<TrialRow<SeriesNode>> series_nodes;
+  std::vector<TrialRow<SeriesCell>> series_cells;
   TrialTotals totals;
 };
 

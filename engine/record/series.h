@@ -1,7 +1,8 @@
 #pragma once
-// What a run records over time (`output.series`): bodies, contacts, solves and stresses, in SI units.
+// What a run records over time (`output.series`): bodies, contacts, solves, stresses and meshes, in SI units.
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -70,12 +71,58 @@ struct SeriesStress {
   double above_strength = std::numeric_limits<double>::quiet_NaN();  ///< share of the volume
 };
 
+/// Whether a block is stressed more: a greater share of its volume is above its tensile strength. Without a
+/// strength, or with the same share, 1 % of its volume exceeds a greater tension.
+inline bool is_stressed_more(const SeriesStress& a, const SeriesStress& b) {
+  const auto share = [](const SeriesStress& row) {
+    return std::isnan(row.above_strength) ? 0 : row.above_strength;
+  };
+  return share(a) != share(b) ? share(a) > share(b) : a.tension_1pct > b.tension_1pct;
+}
+
+/// A node of a deformable block at an instant, in the axes of the world.
+struct SeriesNode {
+  double time = 0;
+  std::string body;
+  int node = 0;
+  Vec3 place = Vec3::Zero();         ///< m, where it is
+  Vec3 displacement = Vec3::Zero();  ///< m, of it from its place in the rigid body
+  Vec3 rate = Vec3::Zero();          ///< m/s, of the displacement
+};
+
+/// A cell of a deformable block at an instant.
+struct SeriesCell {
+  double time = 0;
+  std::string body;
+  int cell = 0;
+  int a = 0, b = 0, c = 0;              ///< its nodes
+  int d = -1;                           ///< the fourth one in 3D; -1: none
+  double tension = 0, compression = 0;  ///< Pa, the greatest principal stress, and the least one negated
+};
+
+/// The numbers of a SeriesStress, as measures and columns name them.
+struct StressQuantity {
+  const char *name, *unit;
+  double SeriesStress::*value;
+};
+inline constexpr std::array<StressQuantity, 8> stress_quantities{
+    {{"strain", "J", &SeriesStress::strain},
+     {"vibration", "J", &SeriesStress::vibration},
+     {"damped", "J", &SeriesStress::damped},
+     {"touch", "J", &SeriesStress::touch},
+     {"settled", "J", &SeriesStress::settled},
+     {"tension_1pct", "Pa", &SeriesStress::tension_1pct},
+     {"compression_1pct", "Pa", &SeriesStress::compression_1pct},
+     {"share_above_strength", "", &SeriesStress::above_strength}}};
+
 struct Series {
   std::vector<SeriesBody> bodies;
   std::vector<SeriesContact> contacts;
   std::vector<SeriesLink> links;
   std::vector<SeriesSolve> solves;
   std::vector<SeriesStress> stresses;
+  std::vector<SeriesNode> nodes;  ///< of deformable blocks when they are stressed most, or at each row
+  std::vector<SeriesCell> cells;
 };
 
 }  // namespace flyrock

@@ -401,6 +401,33 @@ void visit_series_stress(Visit&& visit) {
   of_row(Column{.name = "share_above_strength"}, &S::above_strength);
 }
 
+template <class Visit>
+void visit_series_nodes(Visit&& visit) {
+  using N = SeriesNode;
+  const auto of_row = within(visit, &TrialRow<N>::row);
+  of_row(Column{.name = "time_s", .unit = "s"}, &N::time);
+  of_row(Column{.name = "body"}, &N::body);
+  of_row(Column{.name = "node"}, &N::node);
+  visit_vector(of_row, {"x_m", "y_m", "z_m"}, "m", &N::place);
+  visit_vector(of_row, {"ux_m", "uy_m", "uz_m"}, "m", &N::displacement);
+  visit_vector(of_row, {"ux_rate_m_s", "uy_rate_m_s", "uz_rate_m_s"}, "m/s", &N::rate);
+}
+
+template <class Visit>
+void visit_series_cells(Visit&& visit) {
+  using C = SeriesCell;
+  const auto of_row = within(visit, &TrialRow<C>::row);
+  of_row(Column{.name = "time_s", .unit = "s"}, &C::time);
+  of_row(Column{.name = "body"}, &C::body);
+  of_row(Column{.name = "cell"}, &C::cell);
+  of_row(Column{.name = "a"}, &C::a);
+  of_row(Column{.name = "b"}, &C::b);
+  of_row(Column{.name = "c"}, &C::c);
+  of_row(Column{.name = "d", .in_space = true}, &C::d);
+  of_row(Column{.name = "tension_Pa", .unit = "Pa"}, &C::tension);
+  of_row(Column{.name = "compression_Pa", .unit = "Pa"}, &C::compression);
+}
+
 /// Columns of an Arrival.
 template <class Visit>
 void visit_arrival(Visit&& visit) {
@@ -483,6 +510,10 @@ void visit_tables(Records& records, See&& see) {
       [](auto&& visit) { visit_series_solves(visit); });
   see(Table{"series_stress", Part::whole, trial}, records.series_stress,
       [](auto&& visit) { visit_series_stress(visit); });
+  see(Table{"series_nodes", Part::whole, trial}, records.series_nodes,
+      [](auto&& visit) { visit_series_nodes(visit); });
+  see(Table{"series_cells", Part::whole, trial}, records.series_cells,
+      [](auto&& visit) { visit_series_cells(visit); });
 }
 
 /// For a walk over the tables alone.

@@ -11,6 +11,7 @@
 #include "report/stored_paths.h"
 #include "report/stored_scene.h"
 #include "report/vtk_file.h"
+#include "report/vtk_meshes.h"
 #include "report/vtk_shapes.h"
 
 namespace flyrock {
@@ -156,6 +157,8 @@ std::vector<fs::path> export_vtk(const fs::path& results, const fs::path& folder
       files.push_back(folder / fmt::format("blocks-p{}.vtp", point));
       write_vtp(files.back(), blocks, crs);
     }
+    const fs::path meshes = folder / fmt::format("meshes-p{}.pvd", point);
+    if (write_meshes(meshes, database, point, crs)) files.push_back(meshes);
     if (const auto contacts = stored_contacts(database, point, 0); !contacts.empty()) {
       files.push_back(folder / fmt::format("contacts-p{}.pvd", point));
       write_contacts(files.back(), end_of(paths), contacts, crs);

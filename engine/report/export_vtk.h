@@ -19,6 +19,8 @@ namespace flyrock {
 ///                               one file shapes-p<point>/<step>.vtp per step
 ///   blocks-p<point>.vtp         the blocks between joints of trial 0 at the start, if there are any
 ///                               (stored_blocks)
+///   meshes-p<point>.pvd         the meshes of deformable bodies (vtk_meshes.h), if the first trial has a
+///                               series
 ///   contacts-p<point>.pvd       if the first trial has a series: the contacts that carry a force, as
 ///                               points with the vector force_N on the first body of the pair (in 3D
 ///                               without its tangential part), in the step that contains the time

@@ -57,11 +57,11 @@ std::string bundle(const std::filesystem::path& file, const std::string& then) {
 std::string scripts(const std::filesystem::path& assets) {
   std::string joined = "\"use strict\";\n(() => {\n";
   for (const char* name :
-       {"page.js",        "places.js",    "reach.js",          "tracks.js",     "space.js",   "trees.js",
-        "contours.js",    "map_frame.js", "plan.js",           "maps.js",       "motion.js",  "plots.js",
-        "small_plots.js", "curves.js",    "azimuth.js",        "area.js",       "tables.js",  "observed.js",
-        "holes.js",       "blocks.js",    "barrier_design.js", "comparison.js", "against.js", "questions.js",
-        "tiles.js",       "cover.js",     "cover_plan.js",     "report.js"})
+       {"page.js",        "places.js",    "reach.js",   "tracks.js",         "space.js",      "trees.js",
+        "contours.js",    "map_frame.js", "plan.js",    "maps.js",           "motion.js",     "plots.js",
+        "small_plots.js", "curves.js",    "azimuth.js", "area.js",           "tables.js",     "observed.js",
+        "holes.js",       "blocks.js",    "stress.js",  "barrier_design.js", "comparison.js", "against.js",
+        "questions.js",   "tiles.js",     "cover.js",   "cover_plan.js",     "report.js"})
     joined += read_file(assets / name);
   return joined + "})();\n";
 }

@@ -17,6 +17,7 @@
 #include "report/rounded.h"
 #include "report/runout_data.h"
 #include "report/scenario_text.h"
+#include "report/stress_picture.h"
 #include "report/summary_data.h"
 #include "report/used_sources.h"
 #include "results/alarms.h"
@@ -89,6 +90,18 @@ LawSubject subject_of(const PointResult& point) {
 
 /// { commit, sha256, plugins, files }, of the plugins that the run used; without the name of the scenario
 /// file, because it may change before shards are merged.
+/// Deformable bodies of the first trial when they are stressed most.
+Json stressed_data(const std::vector<StressedBlock>& blocks) {
+  Json list = Json::array();
+  for (const StressedBlock& block : blocks)
+    list.push_back(
+        json_object("body", block.at.body, "time_s", block.at.time, "tension_1pct_Pa", block.at.tension_1pct,
+                    "compression_1pct_Pa", block.at.compression_1pct, "share_above_strength",
+                    std::isnan(block.at.above_strength) ? Json(nullptr) : Json(block.at.above_strength),
+                    "drawn_displacement", drawn_displacement(block), "svg", stress_svg(block)));
+  return list;
+}
+
 Json source_data(const LoadedScenario& scenario) {
   return {{"commit", source_commit()},
           {"sha256", scenario.hash},
@@ -308,6 +321,7 @@ Json ReportData::finish(const Results& results, const GroundPictures& grounds) {
                     std::move(closed_[p].sensitivity), "shrouds", shroud_data(point.reaches), "laws",
                     std::move(laws), "bodies", bodies_data(plan.points[p], point.totals)));
     if (point.blocks) points.back()["blocks_svg"] = blocks_svg(point.blocks->first, plan.points[p].dimension);
+    if (!point.stressed.empty()) points.back()["stressed"] = stressed_data(point.stressed);
     if (point.forest) points.back()["stems"] = stems_data(point, most_stems / closed_.size());
   }
   return json_object("summary", summary_data(plan, results), "alarms", alarms(results.points), "source",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "batch/safe_file.h"
 #include "document/value.h"
@@ -32,30 +33,62 @@ Cells cells_of(const VtkPoints& data) {
   return cells;
 }
 
-class VtpWriter {
+class VtkWriter {
  public:
-  explicit VtpWriter(const std::filesystem::path& path) : file_(path, Sync::no) {}
+  explicit VtkWriter(const std::filesystem::path& path) : file_(path, Sync::no) {}
 
-  void write(const VtkPoints& data, const std::string& crs) {
+  void write_poly_data(const VtkPoints& data, const std::string& crs) {
     const Cells cells = cells_of(data);
-    file_.write(fmt::format(
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
-        "byte_order=\"LittleEndian\">\n<PolyData>\n{}"
-        "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" "
-        "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
-        field_data(crs), data.points.size(), cells.are("Verts"), cells.are("Lines"), cells.are("Polys")));
+    begin("PolyData", crs);
+    file_.write(
+        fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" "
+                    "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n",
+                    data.points.size(), cells.are("Verts"), cells.are("Lines"), cells.are("Polys")));
+    write_points(data);
+    write(cells.kind, cells);
+    file_.write(fmt::format("</{}>\n", cells.kind));
+    end("PolyData");
+  }
+
+  /// Cells of three or four points: triangles (type 5 of VTK) and tetrahedra (10).
+  void write_grid(const VtkPoints& data, const std::string& crs) {
+    const Cells cells = cells_of(data);
+    begin("UnstructuredGrid", crs);
+    file_.write(fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", data.points.size(),
+                            cells.ends.size()));
+    write_points(data);
+    write("Cells", cells);
+    file_.write("<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">\n");
+    std::int64_t start = 0;
+    for (const std::int64_t end : cells.ends) {
+      file_.write(end - start == 3 ? "5\n" : "10\n");
+      start = end;
+    }
+    file_.write("</DataArray>\n</Cells>\n");
+    end("UnstructuredGrid");
+  }
+
+ private:
+  void begin(const char* kind, const std::string& crs) {
+    file_.write(
+        fmt::format("<?xml version=\"1.0\"?>\n<VTKFile type=\"{0}\" version=\"1.0\" "
+                    "byte_order=\"LittleEndian\">\n<{0}>\n{1}",
+                    kind, field_data(crs)));
+  }
+  void end(const char* kind) {
+    file_.write(fmt::format("</Piece>\n</{}>\n</VTKFile>\n", kind));
+    file_.commit();
+  }
+
+  void write_points(const VtkPoints& data) {
     arrays("PointData", data.of_points);
     arrays("CellData", data.of_cells);
     file_.write("<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n");
     for (const Vec3& p : data.points)
       file_.write(fmt::format("{} {} {}\n", shortest(p.x()), shortest(p.y()), shortest(p.z())));
     file_.write("</DataArray>\n</Points>\n");
-    write(cells);
-    file_.write("</Piece>\n</PolyData>\n</VTKFile>\n");
-    file_.commit();
   }
 
- private:
   /// Text of VTK: the codes of its characters, then 0.
   static std::string field_data(const std::string& crs) {
     if (crs.empty()) return "";
@@ -79,13 +112,14 @@ class VtpWriter {
     file_.write(fmt::format("</{}>\n", section));
   }
 
-  void write(const Cells& cells) {
+  /// The arrays of an element `section`, which stays open.
+  void write(std::string_view section, const Cells& cells) {
     file_.write(
-        fmt::format("<{}>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n", cells.kind));
+        fmt::format("<{}>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n", section));
     for (const std::int64_t point : cells.connectivity) file_.write(fmt::format("{}\n", point));
     file_.write("</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n");
     for (const std::int64_t end : cells.ends) file_.write(fmt::format("{}\n", end));
-    file_.write(fmt::format("</DataArray>\n</{}>\n", cells.kind));
+    file_.write("</DataArray>\n");
   }
 
   FileWriter file_;
@@ -94,7 +128,24 @@ class VtpWriter {
 }  // namespace
 
 void write_vtp(const std::filesystem::path& path, const VtkPoints& data, const std::string& crs) {
-  VtpWriter(path).write(data, crs);
+  VtkWriter(path).write_poly_data(data, crs);
+}
+
+void write_vtu(const std::filesystem::path& path, const VtkPoints& data, const std::string& crs) {
+  VtkWriter(path).write_grid(data, crs);
+}
+
+void write_pvd(const std::filesystem::path& index,
+               const std::vector<std::pair<double, std::filesystem::path>>& files) {
+  FileWriter file(index);
+  file.write(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
+      "byte_order=\"LittleEndian\">\n<Collection>\n");
+  for (const auto& [time, name] : files)
+    file.write(fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", shortest(time),
+                           (index.stem() / name).generic_string()));
+  file.write("</Collection>\n</VTKFile>\n");
+  file.commit();
 }
 
 void write_vtp_series(const std::filesystem::path& index, double end, double steps, const std::string& crs,
@@ -103,20 +154,12 @@ void write_vtp_series(const std::filesystem::path& index, double end, double ste
   const auto last = static_cast<int>(std::ceil(end / step));
   const std::filesystem::path folder = index.parent_path() / index.stem();
   make_folder(folder);
-  std::string series;
+  std::vector<std::pair<double, std::filesystem::path>> files;
   for (int i = 0; i <= last; ++i) {
-    const std::string name = fmt::format("{:04}.vtp", i);
-    write_vtp(folder / name, frame(step * i), crs);
-    series += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", shortest(step * i),
-                          (index.stem() / name).generic_string());
+    files.emplace_back(step * i, fmt::format("{:04}.vtp", i));
+    write_vtp(folder / files.back().second, frame(step * i), crs);
   }
-  FileWriter file(index);
-  file.write(
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
-      "byte_order=\"LittleEndian\">\n<Collection>\n");
-  file.write(series);
-  file.write("</Collection>\n</VTKFile>\n");
-  file.commit();
+  write_pvd(index, files);
 }
 
 }  // namespace flyrock

@@ -35,6 +35,14 @@ struct VtkPoints {
 /// FileError.
 void write_vtp(const std::filesystem::path& path, const VtkPoints& data, const std::string& crs);
 
+/// Triangles and tetrahedra as an unstructured grid (.vtu): the polygons of `data` are cells of three or four
+/// points. Throws FileError.
+void write_vtu(const std::filesystem::path& path, const VtkPoints& data, const std::string& crs);
+
+/// An index (.pvd) of files at given times [s], each named from its folder. Throws FileError.
+void write_pvd(const std::filesystem::path& index,
+               const std::vector<std::pair<double, std::filesystem::path>>& files);
+
 inline constexpr double most_vtk_steps = 500;  ///< of a time series
 
 /// A time series: an index (.pvd) and, in a folder of its name beside it, one file for each step of a round

@@ -109,6 +109,14 @@ void Measure::read_rocks(const std::vector<std::string>& words, const Scenario& 
 }
 
 void Measure::read_body(const std::vector<std::string>& words, const Scenario& scenario) {
+  const auto is_stress = [&](const StressQuantity& number) { return words[2] == number.name; };
+  if (std::any_of(stress_quantities.begin(), stress_quantities.end(), is_stress)) {
+    kind_ = Kind::stress;
+    body_ = words[1];
+    field_ = words[2];
+    table_ = words[3];
+    return;
+  }
   kind_ = Kind::body;
   index_ = index_of(words[1], names_of(scenario.bodies));
   const std::size_t bracket = words[2].find('[');  // impact[3]
@@ -150,6 +158,8 @@ Measured Measure::value(const PointResult& result) const {
       const OverSteps::Answer answer = link_.value(result.series.links);
       return {answer.value, false, answer.fault};
     }
+    case Kind::stress:
+      return stress_value(result.series.stresses);
     case Kind::statistic: {
       const Bounded& number = result.groups.at(index_).at(quantity_, statistic_);
       return {number.value, number.censored, std::isnan(number.value) ? "too few rocks" : ""};
@@ -299,6 +309,20 @@ double Measure::state_value(const BodyHistory& body) const {
   // The extremes of speed do not follow from those of its components, so they are stored separately.
   if (field_ == "speed" && table_ != "final") return table_ == "max" ? body.max_speed : body.min_speed;
   return value_of(table_ == "final" ? body.last : table_ == "max" ? body.max : body.min);
+}
+
+Measured Measure::stress_value(const std::vector<SeriesStress>& rows) const {
+  const auto quantity = std::find_if(stress_quantities.begin(), stress_quantities.end(),
+                                     [&](const StressQuantity& number) { return field_ == number.name; });
+  std::vector<double> values;
+  for (const SeriesStress& row : rows)
+    if (row.body == body_ && !std::isnan(row.*quantity->value)) values.push_back(row.*quantity->value);
+  if (values.empty())
+    return {0, false,
+            field_ == "share_above_strength" ? "the body has no tensile_strength" : "the body is rigid"};
+  if (table_ == "final") return {values.back(), false, {}};
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  return {table_ == "max" ? *greatest : *least, false, {}};
 }
 
 double Measure::value_of(const BodyState& s) const {

@@ -17,6 +17,7 @@
 #include "results/reach.h"
 #include "results/risk.h"
 #include "results/runout_by_azimuth.h"
+#include "results/stressed_block.h"
 
 namespace flyrock {
 
@@ -34,7 +35,8 @@ struct PointResult {
   Diameters diameters;                     ///< 3D, of rocks of all groups
   PlanReach reach;                         ///< 3D: where its rocks were
   std::vector<RockRecord> first_trial;     ///< rocks of the first trial of this run
-  Series series;                           ///< of the first trial of this run
+  Series series;                           ///< of the first trial of this run, without meshes
+  std::vector<StressedBlock> stressed;     ///< the deformable bodies of that trial
   TrialTotals totals;                      ///< without maps
   MapRasters maps;                         ///< 3D
   std::vector<GroupSummary> groups;        ///< all rocks first, then the groups; see RockTally
@@ -59,9 +61,9 @@ struct Measured {
 };
 
 /// One measure of a scenario, given by its name: body.<name>.final.x, body.<name>.impact[2].vn_after,
-/// contact.<a>.<b>.rn.max, energy.total.relative_change, solver.max_residual, rocks[.<group>].runout.p95,
-/// rocks[.<group>].count, gate.<name>.passed, barrier.<name>.caught, trees.stopped,
-/// clearance.<name>.distance, exposure.<name>.per_blast. scenario/measure.h holds the grammar;
+/// body.<name>.tension_1pct.max, contact.<a>.<b>.rn.max, energy.total.relative_change, solver.max_residual,
+/// rocks[.<group>].runout.p95, rocks[.<group>].count, gate.<name>.passed, barrier.<name>.caught,
+/// trees.stopped, clearance.<name>.distance, exposure.<name>.per_blast. scenario/measure.h holds the grammar;
 /// docs/results.md describes each measure.
 class Measure {
  public:
@@ -70,8 +72,8 @@ class Measure {
 
   /// Whether it needs the full number of trials, as statistics of rocks do.
   bool of_rocks() const {
-    return kind_ != Kind::body && kind_ != Kind::assembly && kind_ != Kind::contact && kind_ != Kind::link &&
-           kind_ != Kind::energy && kind_ != Kind::solver;
+    return kind_ != Kind::body && kind_ != Kind::stress && kind_ != Kind::assembly && kind_ != Kind::contact &&
+           kind_ != Kind::link && kind_ != Kind::energy && kind_ != Kind::solver;
   }
   Measured value(const PointResult& result) const;
   /// The interval beside the value; NaN if there is none.
@@ -88,6 +90,7 @@ class Measure {
     clearance,
     exposure,
     body,
+    stress,
     assembly,
     contact,
     link,
@@ -110,11 +113,13 @@ class Measure {
   double assembly_value(const TrialTotals& totals) const;
   double state_value(const BodyHistory& body) const;
   double value_of(const BodyState& state) const;
+  Measured stress_value(const std::vector<SeriesStress>& rows) const;
 
   Kind kind_ = Kind::statistic;
   int index_ = 0;   ///< of the group (0: all rocks), gate, barrier, clearance, exposure or body
   int number_ = 0;  ///< of an impact or apex, from 1
   int dimension_ = 2;
+  std::string body_;   ///< of a stress: its name
   std::string table_;  ///< body: final, max, min, stop_time, contact_time, impact, apex
   std::string field_;  ///< x, vn_before, max_residual
   ContactMeasure contact_;

@@ -52,7 +52,7 @@ class PointTally {
     add(chunk);
   }
 
-  /// Keeps the series of the first trial, for measures.
+  /// Keeps the series of the first trial, for measures and pictures.
   void keep_series(const TrialRecords& chunk) {
     for (const auto& [trial, row] : chunk.series_links)
       if (trial == chunk.series_links.front().trial && !series_is_known_) result_.series.links.push_back(row);
@@ -62,6 +62,10 @@ class PointTally {
     for (const auto& [trial, row] : chunk.series_solves)
       if (trial == chunk.series_solves.front().trial && !series_is_known_)
         result_.series.solves.push_back(row);
+    for (const auto& [trial, row] : chunk.series_stress)
+      if (trial == chunk.series_stress.front().trial && !series_is_known_)
+        result_.series.stresses.push_back(row);
+    if (!series_is_known_) result_.stressed = most_stressed(chunk);
     series_is_known_ = series_is_known_ || !chunk.series_solves.empty();
   }
 

@@ -67,6 +67,7 @@ SeriesPlan decode_series(DecodeContext& context, const Node& node, const std::ve
       plan.bodies.push_back(*name);
     }
   plan.contacts = section.constant("contacts") != 0;
+  plan.meshes = section.constant("meshes") != 0;
   plan.every = section.text("every") == "step" ? 0 : section.constant("every");
   plan.first = section.integer("first");
   return plan;

@@ -8,6 +8,7 @@
 #include "document/node.h"
 #include "document/wording.h"
 #include "record/rock_statistics.h"
+#include "record/series.h"
 #include "units/units.h"
 
 namespace flyrock {
@@ -83,6 +84,13 @@ const Table contact_quantities{{"gap", dimension::length},
                                {"rt", force}};
 const Table link_quantities{
     {"force", force}, {"length", dimension::length}, {"angle", dimension::angle}, {"impulse", impulse}};
+/// Of a deformable body, over the rows of its series.
+const Table stress_table = [] {
+  Table table;
+  for (const StressQuantity& number : stress_quantities)
+    table.push_back({number.name, parse_unit(number.unit).value_or(Unit{}).dimension});
+  return table;
+}();
 const Table rock_distributions = [] {
   Table table;
   for (const RockStatistic& number : rock_statistics)
@@ -196,6 +204,8 @@ class MeasureParser {
     next(names_.bodies);
     strip_index("impact");
     strip_index("apex");
+    for (const Named& entry : stress_table)
+      if (at_ < steps_.size() && steps_[at_] == entry.name) return parse_stress();
     const std::string kind =
         next({"final", "max", "min", "stop_time", "contact_time", "impact[n]", "apex[n]"});
     const bool plane = names_.dimension == 2;
@@ -204,6 +214,13 @@ class MeasureParser {
     if (kind == "impact[n]") finish(plane ? impact_quantities : impact_quantities_3d);
     if (kind == "apex[n]") finish(apex_quantities);
     if (kind == "stop_time" || kind == "contact_time") info_.dimension = dimension::time;
+  }
+
+  /// What a deformable body has in its series.
+  void parse_stress() {
+    finish(stress_table);
+    next({"max", "min", "final"});
+    need_series();
   }
 
   void parse_assembly() {

@@ -34,6 +34,7 @@ struct MeasureInfo {
 /// Checks a measure. docs/results.md describes what each means. The grammar:
 ///   body.<name>.final|max|min.<component>, body.<name>.stop_time|contact_time,
 ///   body.<name>.impact[n].<quantity>, body.<name>.apex[n].time|height,
+///   body.<name>.<quantity of a deformable one>.max|min|final,
 ///   assembly.<component>.mean|min|max, assembly.at_rest,
 ///   contact.<a>.<b>.gap|un|ut|rn|rt.mean|max|min|final|at[time], a and b bodies, b also `terrain`,
 ///   link.<name>.force|length|angle.mean|max|min|final|at[time], angle of a hinge only,

@@ -380,8 +380,9 @@ struct SettlePlan {
 struct SeriesPlan {
   std::vector<std::string> bodies;  ///< bodies or groups of rocks; empty: all
   bool contacts = true;
-  double every = 0;  ///< s between rows; 0: each step
-  int first = 1;     ///< number of trials with series
+  bool meshes = false;  ///< of deformable bodies at each row; else when they are stressed most
+  double every = 0;     ///< s between rows; 0: each step
+  int first = 1;        ///< number of trials with series
 };
 
 /// The maps of a 3D run (batch/maps.h).

@@ -669,6 +669,7 @@ std::vector<SectionSpec> make_sections() {
        {}},
       {"output.series",
        {boolean("contacts", true, "whether contacts have rows"),
+        boolean("meshes", false, "whether the nodes and cells of deformable bodies have rows each time"),
         or_word(at_least(number("every", "s", "between rows; step: at the end of each step"), 1e-7), "step"),
         or_else(at_least(integer("first", "trials with series"), 1), 1)},
        {"bodies"}},

@@ -4,12 +4,24 @@
 
 namespace flyrock {
 
+namespace {
+
+ElasticMesh<2> mesh_of(const Deformable& shape) {
+  if (shape.form == Deformable::Form::disk) return ringed_disk(shape.radius, shape.rings);
+  if (shape.form == Deformable::Form::rectangle) return crossed_rectangle(shape.size, shape.cells);
+  ElasticMesh<2> mesh{shape.mesh->nodes, shape.mesh->cells, shape.mesh->outline, shape.mesh->ignored};
+  for (Vec2& node : mesh.nodes) node *= shape.scale;
+  return mesh;
+}
+
+}  // namespace
+
 std::shared_ptr<const ElasticBlock> ElasticBlocks::get(const Deformable& shape,
                                                        const ElasticMaterial& material, double h,
                                                        double theta) {
   constexpr std::size_t most = 4;  // of drawn values each trial has its own
-  const bool is_disk = shape.form == Deformable::Form::disk;
-  const std::array<double, 14> values{static_cast<double>(is_disk),
+  const std::array<double, 15> values{static_cast<double>(shape.form),
+                                      shape.scale,
                                       shape.size.x(),
                                       shape.size.y(),
                                       static_cast<double>(shape.cells[0]),
@@ -24,11 +36,10 @@ std::shared_ptr<const ElasticBlock> ElasticBlocks::get(const Deformable& shape,
                                       h,
                                       theta};
   for (const Kept& kept : kept_)
-    if (kept.values == values) return kept.block;
+    if (kept.values == values && kept.mesh == shape.mesh) return kept.block;
   try {
-    auto mesh = is_disk ? ringed_disk(shape.radius, shape.rings) : crossed_rectangle(shape.size, shape.cells);
-    auto block = std::make_shared<const ElasticBlock>(std::move(mesh), material, h, theta);
-    kept_.push_back({values, std::move(block)});
+    auto block = std::make_shared<const ElasticBlock>(mesh_of(shape), material, h, theta);
+    kept_.push_back({values, shape.mesh, std::move(block)});
   } catch (const std::runtime_error& error) {
     throw PluginError(error.what());
   }

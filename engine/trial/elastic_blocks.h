@@ -18,7 +18,8 @@ class ElasticBlocks {
 
  private:
   struct Kept {
-    std::array<double, 14> values;
+    std::array<double, 15> values;
+    std::shared_ptr<const GivenMesh> mesh;
     std::shared_ptr<const ElasticBlock> block;
   };
   std::deque<Kept> kept_;

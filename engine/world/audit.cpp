@@ -45,9 +45,11 @@ void World<D>::audit_energy(double h) {
     double& gain = island_gain_[islands_.of(a)];
     // A spring only returns the energy that it stored.
     if (contact.law.condition != NormalCondition::penalty) gain += energy_of(a);
-    gain -= contact.impulse.template head<D>().norm() *
-            (1e-12 * (contact.before.norm() + after_[a].norm()) +
-             10 * tolerance() * problem_.contacts[a].speed_scale + 0.5 * g_ * h);
+    const double pushed = contact.impulse.template head<D>().norm();
+    gain -= pushed * (1e-12 * (contact.before.norm() + after_[a].norm()) +
+                      10 * tolerance() * problem_.contacts[a].speed_scale + 0.5 * g_ * h);
+    // A node is much lighter than its body: its speed is the small difference of great ones.
+    if (deforms(contact)) gain -= 1e-12 * pushed * pushed * problem_.contacts[a].w(0, 0);
   }
   for (const double gain : island_gain_)
     if (gain > 0) {

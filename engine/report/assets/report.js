@@ -69,6 +69,7 @@ holes_section();
 branches_section();
 area_section();
 blocks_section();
+stress_section();
 crossings_section();
 barrier_design_section();
 maps_section();

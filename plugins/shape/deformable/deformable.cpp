@@ -7,21 +7,24 @@
 #include "geometry/contactor.h"
 #include "plugin/models.h"
 #include "plugins/factories.h"
+#include "plugins/shape/deformable/gmsh_file.h"
 #include "random/stream.h"
 
 namespace flyrock::plugins {
 
 namespace {
 
-/// A rectangle or disk of finite elements; the contactor is the polygon about its mesh.
+/// A rectangle, disk or given mesh of finite elements. The contactors fill it: the polygon about it, or the
+/// triangles of a given mesh.
 class DeformableShape : public ShapeModel {
  public:
   explicit DeformableShape(Params& params)
-      : is_disk_(params.text("form") == "disk"),
+      : form_(form_of(params.text("form"))),
         size_(params.vector_slot("size")),
         cells_(params.slot("cells")),
         radius_(params.slot("radius")),
         rings_(params.slot("rings")),
+        scale_(params.slot("scale")),
         young_(params.slot("young")),
         poisson_(params.slot("poisson")),
         alpha_(params.slot("damping.alpha")),
@@ -32,18 +35,22 @@ class DeformableShape : public ShapeModel {
       if (given == wanted) return;
       throw PluginError(fmt::format("plugin deformable: `{}` {} `form: {}`", name,
                                     wanted ? "is missing, expected with" : "is given, not expected with",
-                                    is_disk_ ? "disk" : "rectangle"));
+                                    params.text("form")));
     };
-    needs(size_ >= 0, "size", !is_disk_);
-    needs(cells_ >= 0, "cells", !is_disk_);
-    needs(radius_ >= 0, "radius", is_disk_);
-    needs(rings_ >= 0, "rings", is_disk_);
+    const std::string file = params.text("mesh");
+    needs(size_ >= 0, "size", form_ == Deformable::Form::rectangle);
+    needs(cells_ >= 0, "cells", form_ == Deformable::Form::rectangle);
+    needs(radius_ >= 0, "radius", form_ == Deformable::Form::disk);
+    needs(rings_ >= 0, "rings", form_ == Deformable::Form::disk);
+    needs(params.given("mesh"), "mesh", form_ == Deformable::Form::mesh);
+    if (form_ == Deformable::Form::mesh) mesh_ = std::make_shared<const GivenMesh>(read_gmsh(file));
   }
 
   std::vector<Contactor2> build(Values values, RandomStream&) const override {
     const Deformable block = block_of(values);
+    if (form_ == Deformable::Form::mesh) return triangles(block);
     std::vector<Vec2> corners;
-    if (is_disk_) {
+    if (form_ == Deformable::Form::disk) {
       for (int i = 0; i < 6 * block.rings; ++i) {
         const double angle = 2 * pi * i / (6 * block.rings);
         corners.emplace_back(block.radius * Vec2(std::cos(angle), std::sin(angle)));
@@ -62,8 +69,27 @@ class DeformableShape : public ShapeModel {
   }
 
  private:
+  static Deformable::Form form_of(const std::string& name) {
+    return name == "disk"   ? Deformable::Form::disk
+           : name == "mesh" ? Deformable::Form::mesh
+                            : Deformable::Form::rectangle;
+  }
+
+  static std::vector<Contactor2> triangles(const Deformable& block) {
+    std::vector<Contactor2> list;
+    for (const auto& [a, b, c] : block.mesh->cells) {
+      const auto& nodes = block.mesh->nodes;
+      list.push_back(Contactor2::polygon({block.scale * nodes[static_cast<std::size_t>(a)],
+                                          block.scale * nodes[static_cast<std::size_t>(b)],
+                                          block.scale * nodes[static_cast<std::size_t>(c)]}));
+    }
+    return list;
+  }
+
   Deformable block_of(Values values) const {
-    Deformable block{.form = is_disk_ ? Deformable::Form::disk : Deformable::Form::rectangle,
+    Deformable block{.form = form_,
+                     .mesh = mesh_,
+                     .scale = values[scale_],
                      .young = values[young_],
                      .poisson = values[poisson_],
                      .alpha = alpha_ >= 0 ? values[alpha_] : 0,
@@ -71,12 +97,12 @@ class DeformableShape : public ShapeModel {
                      .tensile_strength = {}};
     if (strength_ >= 0) block.tensile_strength = values[strength_];
     double nodes = 0;
-    if (is_disk_) {
+    if (form_ == Deformable::Form::disk) {
       block.radius = values[radius_];
       nodes = 1 + 3 * values[rings_] * (values[rings_] + 1);
       check_nodes(nodes, "rings");
       block.rings = static_cast<int>(values[rings_]);
-    } else {
+    } else if (form_ == Deformable::Form::rectangle) {
       block.size = Vec2(values[size_], values[size_ + 1]);
       const double shorter = values[cells_], cell = block.size.minCoeff() / shorter;
       const double columns = std::round(block.size.x() / cell), rows = std::round(block.size.y() / cell);
@@ -96,8 +122,9 @@ class DeformableShape : public ShapeModel {
                       nodes, most, name));
   }
 
-  bool is_disk_;
-  int size_, cells_, radius_, rings_, young_, poisson_, alpha_, beta_, strength_;
+  Deformable::Form form_;
+  std::shared_ptr<const GivenMesh> mesh_;
+  int size_, cells_, radius_, rings_, scale_, young_, poisson_, alpha_, beta_, strength_;
 };
 
 }  // namespace

@@ -7,11 +7,13 @@ return fr.plugin {
     .. "small. Its surface nodes touch, its edges do not. A contact has no restitution of its own: the block rebounds by its "
     .. "waves, with steps of `time_step` of about the size of a cell divided by sqrt(young/density).",
   params = {
-    form = fr.choice { choices = { "rectangle", "disk" }, doc = "what it is before it is deformed" },
+    form = fr.choice { choices = { "rectangle", "disk", "mesh" }, doc = "what it is before it is deformed" },
     size = fr.vector { optional = true, above = 0, unit = "m", doc = "width and height of a rectangle" },
     cells = fr.integer { optional = true, min = 1, doc = "squares of its mesh along the shorter side, each of four triangles" },
     radius = fr.number { optional = true, above = 0, unit = "m", usual = { 0.001, 20 }, doc = "of a disk" },
     rings = fr.integer { optional = true, min = 1, doc = "rings of triangles of its mesh" },
+    mesh = fr.file { optional = true, doc = "a file of Gmsh (.msh, ASCII 4.1) with triangles of 3 nodes, one piece without holes" },
+    scale = fr.number { default = 1, above = 0, doc = "metres per unit of the file of a mesh" },
     young = fr.number { above = 0, unit = "Pa", usual = { 1e8, 1.5e11 }, doc = "Young's modulus" },
     poisson = fr.number { min = 0, max = 0.45, usual = { 0, 0.4 }, doc = "Poisson's ratio; near 0.5 triangles lock" },
     damping = fr.group {

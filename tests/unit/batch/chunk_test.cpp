@@ -61,6 +61,9 @@ TrialRecords some_records() {
   records.series_solves = {{7, {.time = 0.25, .step = 0.01, .contacts = 2, .sweeps = 5, .residual = 1e-9}}};
   records.series_stress = {
       {7, {.time = 0.25, .body = "block", .strain = 3, .touch = 0.5, .tension_1pct = 2e6}}};
+  records.series_nodes = {{7, {.time = 0.25, .body = "block", .node = 3, .place = {1, 2, 0}}}};
+  records.series_cells = {
+      {7, {.time = 0.25, .body = "block", .cell = 1, .a = 0, .b = 3, .c = 4, .tension = 2e6}}};
   records.totals.materials = {{1, 2, 3, 4, 5}};
   PathBins path(2, -10, 10);
   path.visit(-3, 1, 0, 4, [](PathBin& bin, double, double t) { bin = {t, 10 * t, 1e6}; });
@@ -116,6 +119,8 @@ TEST_CASE("A reading of a part of a chunk has its tables and no others") {
   expected.series_contacts.clear();
   expected.series_solves.clear();
   expected.series_stress.clear();
+  expected.series_nodes.clear();
+  expected.series_cells.clear();
   expected.totals.envelopes = {};
   expected.trajectories.clear();
   expected.shapes.clear();

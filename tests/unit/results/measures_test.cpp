@@ -126,6 +126,24 @@ TEST_CASE("Measures of bodies, of the solver and of the energy") {
   CHECK(value("energy.total.relative_change").value == -0.5);
 }
 
+TEST_CASE("Measures of a deformable body are over its series") {
+  Scenario scenario;
+  scenario.dimension = 2;
+  scenario.bodies.resize(1);
+  scenario.bodies[0].name = "block";
+  PointResult result;
+  for (const double tension : {2e6, 5e6, 3e6})
+    result.series.stresses.push_back({.body = "block", .touch = 1e-6 * tension, .tension_1pct = tension});
+  result.series.stresses.push_back({.body = "other", .tension_1pct = 9e6});
+  const auto value = [&](const char* name) { return Measure(name, scenario).value(result); };
+  CHECK(value("body.block.tension_1pct.max").value == 5e6);
+  CHECK(value("body.block.tension_1pct.min").value == 2e6);
+  CHECK(value("body.block.touch.final").value == 3);
+  CHECK(value("body.block.share_above_strength.max").fault == "the body has no tensile_strength");
+  result.series.stresses.clear();
+  CHECK(value("body.block.strain.max").fault == "the body is rigid");
+}
+
 TEST_CASE("Expectations compare as they are written") {
   const Scenario scenario = of_rocks();
   RockRecord rock;

@@ -433,6 +433,8 @@ TEST_CASE("measures") {
                            "body.ball.impact[3].pn", "body.ball.apex[1].height", "body.ball.contact_time",
                            "energy.total.relative_change", "solver.max_residual"})
     CHECK(decode_text(with(good)).points[0].expect[0].measure == good);
+  CHECK(refuse(with("body.ball.tension_1pct.max")).find("it needs `output.series`") != std::string::npos);
+  CHECK(refuse(with("body.ball.tension_1pct.mean")).find("unknown `mean`") != std::string::npos);
   CHECK(refuse(with("body.ball.final.z")).find("unknown `z`") != std::string::npos);
   CHECK(refuse(with("body.ball.final")).find("it ends early") != std::string::npos);
   CHECK(refuse(with("body.ball.stop_time.x")).find("nothing may follow `stop_time`") != std::string::npos);
