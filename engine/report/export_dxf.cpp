@@ -31,25 +31,25 @@ std::string upper(std::string text) {
   return text;
 }
 
-Vec3 place_of(const Json& position) {
+Vec3 vertex_of(const Json& position) {
   return {position.at(0).get<double>(), position.at(1).get<double>(),
           position.size() > 2 ? position.at(2).get<double>() : 0};
 }
 
-std::vector<Vec3> places_of(const Json& positions) {
+std::vector<Vec3> vertices_of(const Json& positions) {
   std::vector<Vec3> places;
-  for (const Json& position : positions) places.push_back(place_of(position));
+  for (const Json& position : positions) places.push_back(vertex_of(position));
   return places;
 }
 
 /// A point, a line, or the rings of polygons, whose last place is the first one again.
 void add_geometry(DxfFile& drawing, const std::string& layer, const Json& geometry) {
   const Json& coordinates = geometry.at("coordinates");
-  if (geometry.at("type") == "Point") return drawing.add_point(layer, place_of(coordinates));
-  if (geometry.at("type") == "LineString") return drawing.add_line(layer, places_of(coordinates));
+  if (geometry.at("type") == "Point") return drawing.add_point(layer, vertex_of(coordinates));
+  if (geometry.at("type") == "LineString") return drawing.add_line(layer, vertices_of(coordinates));
   for (const Json& polygon : coordinates)
     for (const Json& ring : polygon) {
-      std::vector<Vec3> places = places_of(ring);
+      std::vector<Vec3> places = vertices_of(ring);
       places.pop_back();
       drawing.add_line(layer, places, true);
     }
