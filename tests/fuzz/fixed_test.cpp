@@ -64,7 +64,8 @@ TEST_CASE("200 fixed tables of holes are read as they are meant, or refused") {
   std::filesystem::remove_all(settings.findings);
 }
 
-TEST_CASE("200 damaged workbooks, layers and clouds each are read, or refused in lines with a place") {
+TEST_CASE("200 damaged workbooks, layers and clouds each are read, or refused in lines with a place",
+          "[slow]") {
   for (const char* kind : {"sheets", "layers"}) {
     FuzzSettings settings;
     settings.mutants = 200;
