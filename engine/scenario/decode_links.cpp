@@ -108,9 +108,9 @@ class LinkDecoder {
     link_.end_a = ends[0];
     link_.end_b = ends[1];
     const double apart = (ends[0] - ends[1]).norm();
-    const bool as_built = section_.text("length") == "as built";
-    link_.length = as_built ? apart : section_.constant("length");
-    const Node where = as_built ? *node_.find("ends") : *node_.find("length");
+    const auto given = node_.find("length");
+    link_.length = given ? section_.constant("length") : apart;
+    const Node where = given ? *given : *node_.find("ends");
     const bool is_spring = link_.type == LinkType::spring;
     constexpr double rounding = 1e-9;
     if (is_spring)

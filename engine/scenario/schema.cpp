@@ -525,7 +525,7 @@ std::vector<SectionSpec> make_sections() {
         optional(vector("at", "m", "of a hinge: where it is, as built")),
         optional(points("ends", "of a rod, spring or rope: where it holds both, as built")),
         optional(vector("axis", "", "of a hinge in 3D: about which it turns")),
-        or_word(at_least(number("length", "m", "of a rod, a rope, a spring at rest"), 0), "as built"),
+        at_least(optional(number("length", "m", "of a rod, a rope, a spring at rest; without it as built")), 0),
         at_least(optional(number("stiffness", "N/m", "of a spring")), 0),
         at_least(optional(number("damping", "N s/m", "of a spring")), 0)},
        {"between"}},
