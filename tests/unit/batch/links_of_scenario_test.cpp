@@ -3,6 +3,7 @@
 #include "document/yaml_reader.h"
 #include "load.h"
 #include "scenario/decode.h"
+#include "temporary_file.h"
 #include "unit/test_registry.h"
 
 namespace links_of_scenario_test {
@@ -95,14 +96,14 @@ TEST_CASE("a run records its links, and reads back what it resolves to") {
   CHECK(longest == Approx(1 + 2 * sag).epsilon(1e-4));
   CHECK(energy == Approx(0.5 * 500 * 4 * sag * sag).epsilon(1e-3));
 
-  Diagnostics diagnostics;
   const std::string once = to_yaml(scenario.plan.resolved);
-  static const Registry registry = test::make_registry();
-  const auto again = decode(*read_yaml(once, "s.yaml", diagnostics), registry, ".", diagnostics);
+  const TemporaryFile copy("links.yaml", once);
+  Diagnostics diagnostics;
+  const auto again = load_scenario(copy.path, {}, diagnostics);
   INFO(once << diagnostics.to_text());
   REQUIRE(again);
-  CHECK(to_yaml(again->resolved) == once);
-  CHECK(again->points.front().links.at(2).a == 2);
+  CHECK(to_yaml(again->plan.resolved) == once);
+  CHECK(again->plan.points.front().links.at(2).a == 2);
 }
 
 }  // namespace links_of_scenario_test
