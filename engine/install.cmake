@@ -54,7 +54,7 @@ foreach(page README.md LICENSE CHANGELOG.md CITATION.cff CONTRIBUTING.md)
   install(FILES ${PROJECT_SOURCE_DIR}/${page} DESTINATION share/doc/flyrock COMPONENT flyrock)
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION share/doc/flyrock/docs COMPONENT flyrock
-  FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.png")
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.png" PATTERN "*.cff")
 # Pages link to scenarios as in the sources.
 file(CREATE_LINK ../../flyrock/scenarios ${CMAKE_BINARY_DIR}/scenarios SYMBOLIC)
 install(FILES ${CMAKE_BINARY_DIR}/scenarios DESTINATION share/doc/flyrock COMPONENT flyrock)
