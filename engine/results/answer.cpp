@@ -389,14 +389,17 @@ std::string assumptions(const Plan& plan) {
         "mass): its mass and size matter only where a law, the air or a barrier reads them; ";
     text += assumed_air(scenario) + ".";
   } else {
-    text += "rigid bodies, ";
+    const bool deforms =
+        std::any_of(scenario.bodies.begin(), scenario.bodies.end(),
+                    [](const BodyPlan& body) { return body.shape.plugin->spec.name == "deformable"; });
+    text += deforms ? "rigid and linearly elastic bodies, " : "rigid bodies, ";
     if (scenario.bodies.empty())
       text += scenario.rock_contacts ? "rocks that meet each other, "
                                      : "each rock alone, rocks do not meet each other, ";
     text += assumed_air(scenario) + "; ";
     text += "contacts by non-smooth contact dynamics, ";
-    text += scenario.solver.flight == FlightMode::exact ? "flights exact between them."
-                                                        : "flights in time steps.";
+    const bool steps = deforms || !scenario.links.empty() || scenario.solver.flight != FlightMode::exact;
+    text += steps ? "flights in time steps." : "flights exact between them.";
   }
   const std::vector<Method> methods = plan.methods();
   const auto also = [&](Method method) {
