@@ -21,11 +21,22 @@ void require_distributable(const Explanation& all) {
     if (contact.mu > 0)
       throw InputError(
           fmt::format("--distributing: contact {} has friction, which this law does not know", i + 1));
-    if (!(contact.law.e_n > 0))
-      throw InputError(
-          fmt::format("--distributing: e_n of contact {} is {:.6g}, expected a coefficient above 0", i + 1,
-                      contact.law.e_n));
   }
+}
+
+/// The coefficient of an impact's contact that approaches fastest. A contact at which nothing approaches yet
+/// has none of its own, as no law was asked there: it takes this one.
+double e_of_fastest(const Explanation& all, const std::vector<int>& contacts) {
+  const auto approach = [&](int a, int b) {
+    return all.contacts[static_cast<std::size_t>(a)].before[0] <
+           all.contacts[static_cast<std::size_t>(b)].before[0];
+  };
+  const int fastest = *std::min_element(contacts.begin(), contacts.end(), approach);
+  const double e = all.contacts[static_cast<std::size_t>(fastest)].law.e_n;
+  if (!(e > 0))
+    throw InputError(fmt::format(
+        "--distributing: e_n of contact {} is {:.6g}, expected a coefficient above 0", fastest + 1, e));
+  return e;
 }
 
 /// Evenly chosen points of a path, with both ends.
@@ -47,11 +58,13 @@ std::vector<DistributedIsland> distribute(const Explanation& all, double exponen
     std::vector<Eigen::Index> rows;
     Eigen::VectorXd before(count);
     DistributingSprings springs{exponent, Eigen::VectorXd::Ones(count), Eigen::VectorXd(count)};
+    const double e = e_of_fastest(all, contacts);
     for (Eigen::Index i = 0; i < count; ++i) {
       const int contact = contacts[static_cast<std::size_t>(i)];
       rows.push_back(Eigen::Index{contact} * all.rows);
       before[i] = all.contacts[static_cast<std::size_t>(contact)].before[0];
-      springs.restitution[i] = all.contacts[static_cast<std::size_t>(contact)].law.e_n;
+      const double own = all.contacts[static_cast<std::size_t>(contact)].law.e_n;
+      springs.restitution[i] = own > 0 ? own : e;
     }
     islands.push_back({contacts, exponent, distributing_path(all.w(rows, rows), before, springs)});
   }

@@ -16,7 +16,7 @@ struct SeriesRequest {
   std::vector<bool> wanted;  ///< which bodies have rows
   bool contacts = true;
   bool meshes = false;  ///< of deformable bodies at each of their rows; else when they are stressed most
-  double every = 0;  ///< s between rows of steps and flights; 0: each step, and the ends of flights
+  double every = 0;     ///< s between rows of steps and flights; 0: each step, and the ends of flights
   Series* rows = nullptr;
 };
 

@@ -72,8 +72,8 @@ class Measure {
 
   /// Whether it needs the full number of trials, as statistics of rocks do.
   bool of_rocks() const {
-    return kind_ != Kind::body && kind_ != Kind::stress && kind_ != Kind::assembly && kind_ != Kind::contact &&
-           kind_ != Kind::link && kind_ != Kind::energy && kind_ != Kind::solver;
+    return kind_ != Kind::body && kind_ != Kind::stress && kind_ != Kind::assembly &&
+           kind_ != Kind::contact && kind_ != Kind::link && kind_ != Kind::energy && kind_ != Kind::solver;
   }
   Measured value(const PointResult& result) const;
   /// The interval beside the value; NaN if there is none.

@@ -27,7 +27,8 @@ class GmshLines {
   }
 
   [[noreturn]] void fail(const std::string& what, int line = 0) const {
-    throw PluginError(fmt::format("plugin deformable: {}:{}: {}", path_, line > 0 ? line : std::max(1, number_), what));
+    throw PluginError(
+        fmt::format("plugin deformable: {}:{}: {}", path_, line > 0 ? line : std::max(1, number_), what));
   }
   int number() const { return number_; }
 
