@@ -14,7 +14,7 @@ using Parts = std::vector<std::pair<std::string, std::string>>;
 
 inline std::string little_endian(std::size_t number, int bytes) {
   std::string result;
-  for (int k = 0; k < bytes; ++k) result += static_cast<char>(number >> 8 * k & 0xff);
+  for (int k = 0; k < bytes; ++k, number >>= 8) result += static_cast<char>(number & 0xff);
   return result;
 }
 

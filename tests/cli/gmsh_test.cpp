@@ -130,7 +130,7 @@ TEST_CASE("a bad mesh is one line with file, line and what was expected") {
     const Output check = call(folder, "check s.yaml");
     INFO(bad.says << "\n" << check.err);
     CHECK(check.code == 2);
-    CHECK(check.err.find("s.yaml:9:12: error: bodies.0.shape") != std::string::npos);
+    CHECK(check.err.find("s.yaml:9:5: error: bodies.0.shape") != std::string::npos);
     CHECK(check.err.find(bad.says) != std::string::npos);
   }
   fs::remove(folder.path() / "block.msh");

@@ -103,7 +103,7 @@ TEST_CASE("A result of an older format is neither read nor gone on with") {
   folder.write("s.yaml", bench);
   REQUIRE(call(folder, "run s.yaml --quiet -o r").code == 0);
   std::string manifest = read(folder.path() / "r/manifest.json");
-  const std::string format = "\"format\": 15";
+  const std::string format = "\"format\": 16";
   const std::size_t at = manifest.find(format);
   REQUIRE(at != std::string::npos);
   folder.write("r/manifest.json", manifest.replace(at, format.size(), "\"format\": 2"));
