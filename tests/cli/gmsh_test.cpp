@@ -117,9 +117,9 @@ TEST_CASE("a bad mesh is one line with file, line and what was expected") {
       {small(square, 4, "1 1 2 3 4\n", 1, "4"),
        "has no triangles of 3 nodes, and 1 other elements, expected a mesh of triangles in 2D"},
       {small("0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n", 4, "1 1 2 3\n2 1 3 4\n", 2),
-       "block.msh:13: node 4 has z = 0.5, expected 0 as the others: a mesh in the plane"},
+       "block.msh:14: node 4 has z = 0.5, expected 0 as the others: a mesh in the plane"},
       {small("0 0 0\n1 0 x\n1 1 0\n0 1 0\n", 4, "1 1 2 3\n2 1 3 4\n", 2),
-       "block.msh:11: `1 0 x` is no list of numbers, expected the place of a node: x y z"},
+       "block.msh:12: `1 0 x` is no list of numbers, expected the place of a node: x y z"},
       {"$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 20000 1 20000\n",
        "block.msh:5: the mesh has 20000 nodes, expected at most 10000"},
   };
