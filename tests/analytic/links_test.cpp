@@ -9,7 +9,7 @@ using namespace flyrock::lab;
 
 namespace links_test {
 
-constexpr double g = 9.81;
+constexpr double gravity = 9.81;
 
 WorldSettings steps_of(double h) {
   WorldSettings settings;
@@ -69,10 +69,10 @@ TEST_CASE("a pendulum on a rod has the period of the elliptic integral") {
   LengthWatch lengths;
   bench.run_settings.advanced = [&](double) { lengths.see(bench.world); };
   const double energy = bench.world.total_energy();
-  bench.run(5 * quarter(angle, std::sqrt(g / length)));
+  bench.run(5 * quarter(angle, std::sqrt(gravity / length)));
   const Body<2>& body = bench.world.bodies[bob];
   CHECK(body.x.x() == Approx(0).margin(1e-4));
-  CHECK(body.v.norm() == Approx(std::sqrt(2 * g * length * (1 - std::cos(angle)))).epsilon(1e-8));
+  CHECK(body.v.norm() == Approx(std::sqrt(2 * gravity * length * (1 - std::cos(angle)))).epsilon(1e-8));
   CHECK(bench.world.total_energy() == Approx(energy).epsilon(1e-11));
   CHECK(lengths.greatest < 1e-11);
   CHECK(body.w == 0);
@@ -90,7 +90,7 @@ TEST_CASE("a bar on a hinge swings as a physical pendulum") {
   const int i = bench.add(bar);
   add_hinge(bench.world, i, -1, pivot);
   const double about_pivot = mass * (width * width + height * height) / 12 + mass * width * width / 4;
-  const double rate = std::sqrt(mass * g * width / 2 / about_pivot);
+  const double rate = std::sqrt(mass * gravity * width / 2 / about_pivot);
   const double energy = bench.world.total_energy();
   bench.run(3 * quarter(angle, rate));
   const Body<2>& body = bench.world.bodies[i];
@@ -111,7 +111,7 @@ TEST_CASE("a double pendulum keeps its energy to 1e-6 in 10 s") {
     add_hinge(bench.world, lower, upper, {1, 5});
     LengthWatch lengths;
     bench.run_settings.advanced = [&](double) { lengths.see(bench.world); };
-    const double energy = bench.world.total_energy(), scale = 4 * g;
+    const double energy = bench.world.total_energy(), scale = 4 * gravity;
     bench.run(10);
     CHECK(bench.world.bodies[lower].v.norm() > 0.01);
     CHECK(std::abs(bench.world.total_energy() - energy) < 1e-6 * scale);
@@ -133,7 +133,7 @@ TEST_CASE("a mass on a spring swings about its rest as a damped oscillator") {
   bench.world.links.add(spring);
   const double energy = bench.world.total_energy(), time = 3.3;
   bench.run(time);
-  const double sag = mass * g / stiffness, decay = damping / mass / 2;
+  const double sag = mass * gravity / stiffness, decay = damping / mass / 2;
   const double rate = std::sqrt(stiffness / mass - decay * decay);
   const double swing =
       std::exp(-decay * time) * (std::cos(rate * time) + decay / rate * std::sin(rate * time));
@@ -152,25 +152,25 @@ TEST_CASE("a rope does nothing while it is slack, and stops what pulls it taut")
   rope.length = length;
   bench.world.links.add(rope);
   bench.run(0.3);
-  CHECK((bench.world.bodies[i].x - Vec2(0.15, 4.8 - 0.5 * g * 0.09)).norm() < 1e-12);
+  CHECK((bench.world.bodies[i].x - Vec2(0.15, 4.8 - 0.5 * gravity * 0.09)).norm() < 1e-12);
   CHECK(bench.world.links.list()[0].tension == 0);
 
   // It becomes taut at a place of its parabola, and keeps what is across it.
   double taut = 0.3;
-  const auto place = [&](double t) { return Vec2(0.5 * t, 4.8 - 0.5 * g * t * t); };
+  const auto place = [&](double t) { return Vec2(0.5 * t, 4.8 - 0.5 * gravity * t * t); };
   for (double step = 0.1; step > 1e-13; step /= 2)
     while ((place(taut + step) - hook).norm() < length) taut += step;
-  const Vec2 along = (place(taut) - hook).normalized(), v(0.5, -g * taut);
+  const Vec2 along = (place(taut) - hook).normalized(), v(0.5, -gravity * taut);
   const Vec2 across = v - along.dot(v) * along;
-  const double energy = 2 * (0.5 * across.squaredNorm() + g * place(taut).y());
+  const double energy = 2 * (0.5 * across.squaredNorm() + gravity * place(taut).y());
   bench.run(2);
   CHECK((bench.world.bodies[i].x - hook).norm() <= length * (1 + 1e-12));
   CHECK(bench.world.total_energy() == Approx(energy).epsilon(2e-4));
 }
 
 TEST_CASE("a rope goes slack where its tension is 0, and its weight flies on a parabola") {
-  // v0^2 = g L (2 + 3 c): slack where the weight is c L above the hook, with v^2 = g L c.
-  const double length = 1, c = 0.5, v0 = std::sqrt(g * length * (2 + 3 * c));
+  // v0^2 = gravity L (2 + 3 c): slack where the weight is c L above the hook, with v^2 = gravity L c.
+  const double length = 1, c = 0.5, v0 = std::sqrt(gravity * length * (2 + 3 * c));
   Material material(0, 0);
   Bench bench(ground(10), material, steps_of(2e-4));
   const Vec2 hook(0, 5), start(0, 4);
@@ -184,7 +184,7 @@ TEST_CASE("a rope goes slack where its tension is 0, and its weight flies on a p
   bench.run_settings.advanced = height;
   bench.run(0.75);
   CHECK(slack == Approx(c * length).margin(2e-3));
-  const double top = c * length + g * length * c * (1 - c * c) / (2 * g);
+  const double top = c * length + gravity * length * c * (1 - c * c) / (2 * gravity);
   CHECK(bench.histories[i].max.position.y() == Approx(hook.y() + top).margin(1e-3));
 }
 
@@ -245,9 +245,9 @@ TEST_CASE("a chain of three links held at both ends hangs as its funicular polyg
   bench.run(0.1);
   const double h = bench.world.last_step(), slant = std::sqrt(drop * drop + 0.25);
   const auto& links = bench.world.links.list();
-  CHECK(links[0].tension / h == Approx(2 * g * slant / drop).epsilon(1e-9));
-  CHECK(links[1].tension / h == Approx(2 * g * 0.5 / drop).epsilon(1e-9));
-  CHECK(links[2].tension / h == Approx(2 * g * slant / drop).epsilon(1e-9));
+  CHECK(links[0].tension / h == Approx(2 * gravity * slant / drop).epsilon(1e-9));
+  CHECK(links[1].tension / h == Approx(2 * gravity * 0.5 / drop).epsilon(1e-9));
+  CHECK(links[2].tension / h == Approx(2 * gravity * slant / drop).epsilon(1e-9));
 }
 
 TEST_CASE("a hinge in 3D keeps its axis, and a bar on it swings as in 2D") {
@@ -268,7 +268,7 @@ TEST_CASE("a hinge in 3D keeps its axis, and a bar on it swings as in 2D") {
   world.links.add(hinge);
   const double about_pivot = mass * (width * width + height * height) / 12 + mass * width * width / 4;
   const double energy = world.total_energy();
-  bench.run(3 * quarter(angle, std::sqrt(mass * g * width / 2 / about_pivot)));
+  bench.run(3 * quarter(angle, std::sqrt(mass * gravity * width / 2 / about_pivot)));
   const auto& link = world.links.list()[0];
   CHECK((world.bodies[i].x - pivot).normalized().dot(Vec3::UnitZ()) == Approx(-1).epsilon(1e-9));
   CHECK(std::abs(world.links.angle(link, world.bodies)) == Approx(angle).margin(1e-5));
@@ -292,8 +292,8 @@ TEST_CASE("bars on two hinges of one axis hold what one of them holds already") 
     world.links.add(hinge);
   }
   const double about_axis = 3 * (1 + 0.01) / 12 + 3 * 0.25;
-  bench.run(quarter(pi / 2, std::sqrt(3 * g * 0.5 / about_axis)));
+  bench.run(quarter(pi / 2, std::sqrt(3 * gravity * 0.5 / about_axis)));
   const Body<3>& body = world.bodies[i];
   CHECK((body.x - Vec3(0, 0, 3.5)).norm() < 1e-5);
-  CHECK(std::abs(body.w.y()) == Approx(std::sqrt(2 * 3 * g * 0.5 / about_axis)).epsilon(1e-5));
+  CHECK(std::abs(body.w.y()) == Approx(std::sqrt(2 * 3 * gravity * 0.5 / about_axis)).epsilon(1e-5));
 }
