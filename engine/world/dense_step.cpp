@@ -58,7 +58,8 @@ bool World<D>::can_be_dense() const {
 template <int D>
 int World<D>::most_contacts_of_island() {
   constexpr std::size_t most_of_pair = D == 2 ? 2 : 4, becomes = becomes_dense;
-  if (!dense_ && 4 * contacts_.size() < becomes) return 0;  // so few touch that none of them is a pile
+  if (!dense_ && last_step_ > 0 && 4 * contacts_.size() < becomes)
+    return 0;  // so few touch that none is a pile
   const auto& pairs = near_pairs(settings_.dense_step);
   if (!dense_ && most_of_pair * (pairs.size() + bodies.size()) < becomes) return 0;
   joined_.begin(bodies.size());
@@ -271,6 +272,17 @@ void World<D>::find_dense_contacts(double h) {
   match_last();
 }
 
+/// Starts a try of length h from the impulses that the try before, of length `before`, has found.
+template <int D>
+void World<D>::start_from_last_try(double h, double before) {
+  for (std::size_t a = 0; a < contacts_.size(); ++a) {
+    const auto tried = of_pair(tried_, contacts_[a]);
+    const auto same = std::find_if(tried.begin(), tried.end(),
+                                   [&](const Contact& other) { return is_same(other, contacts_[a]); });
+    if (same != tried.end()) impulses_[a] = h / before * same->impulse;
+  }
+}
+
 template <int D>
 typename World<D>::Outcome World<D>::dense_step(double h) {
   constexpr double most_sunk = 5e-4;  // of the size, of a solved contact
@@ -279,7 +291,9 @@ typename World<D>::Outcome World<D>::dense_step(double h) {
   impacts_.clear();
   save();
   unseen_.clear();
-  double unsolved = 0;
+  tried_.clear();
+  const double allowed = std::max(most_sunk, sunk_share_);  // what the last step has left
+  double unsolved = 0, before = h;
   for (int tries = 1;; ++tries) {
     find_dense_contacts(h);
     foresee_touches(h);
@@ -290,6 +304,7 @@ typename World<D>::Outcome World<D>::dense_step(double h) {
       return {0, false, true};
     }
     assemble(h, last_step_ > 0 ? h / last_step_ : 1);
+    start_from_last_try(h, before);
     put_gaps(h);
     last_solve_ = {};
     pressed_.clear();
@@ -303,13 +318,15 @@ typename World<D>::Outcome World<D>::dense_step(double h) {
     const double lifted = total_energy() - energy;
     const std::size_t known = unseen_.size();
     unsolved = unsolved_depth(h);
-    if ((unsolved <= slop && sunk_share_ <= most_sunk) || tries == most_tries) {
+    if ((unsolved <= slop && sunk_share_ <= allowed) || tries == most_tries) {
       quality_.max_penetration = std::max(quality_.max_penetration, sunk_);
       quality_.projection_energy += lifted;
       quality_.theta_loss += theta_loss_;
       break;
     }
     restore();
+    tried_.swap(contacts_);
+    before = h;
     if (unseen_.size() == known || tries % 2 == 0) h /= 2;
     ++quality_.refused_steps;
   }

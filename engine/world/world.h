@@ -330,6 +330,7 @@ class World {
   template <class Use>
   void see_ahead(double h, Use use);
   void find_dense_contacts(double h);
+  void start_from_last_try(double h, double before);
   Outcome dense_step(double h);
 
   // held_contacts.cpp: which contacts a step holds, and what the search for touches knows of them
@@ -461,6 +462,7 @@ class World {
   std::vector<Row> gained_in_step_;    ///< m/s, by each contact of a dense step along the free path
   std::vector<Contact> unseen_;  ///< that the end of a dense step has shown, not the search at its start
   std::vector<Contact> solved_;  ///< by the dense step, while its end is looked at
+  std::vector<Contact> tried_;   ///< those of the try before of a dense step that is made again
   double walked_ = 0;            ///< how far a resting rim closes by the middle of a step, in rest_speeds
   double last_step_ = 0;         ///< s
   double reach_time_ = 0;        ///< s, the longer of this step and the last one; fixed steps: their length
