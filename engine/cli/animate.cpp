@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "batch/safe_file.h"
 #include "cli/film.h"
@@ -31,6 +32,31 @@ double time_of(const std::string& option, const std::string& text) {
   return read->si();
 }
 
+/// "X0,Y0,X1,Y1" in m.
+Region region_of(const std::string& text) {
+  std::vector<double> numbers;
+  std::string word;
+  for (std::istringstream words(text); std::getline(words, word, ',');) {
+    const std::optional<Quantity> read = parse_quantity(word);
+    if (!read || (read->has_unit && read->unit.dimension != dimension::length)) break;
+    numbers.push_back(read->si());
+  }
+  const auto n = std::count(text.begin(), text.end(), ',');
+  if (n != 3 || numbers.size() != 4 || !(numbers[0] < numbers[2]) || !(numbers[1] < numbers[3]))
+    throw UsageError(
+        fmt::format("--region {}: expected X0,Y0,X1,Y1 in m with X0 < X1 and Y0 < Y1, as `0,0,40,12`", text));
+  return {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
+}
+
+bool comes_to(const Region& region, const std::vector<StoredPath>& paths) {
+  return std::any_of(paths.begin(), paths.end(), [&](const StoredPath& path) {
+    return std::any_of(path.moments.begin(), path.moments.end(), [&](const StoredMoment& moment) {
+      const Vec2 place = moment.place.head<2>();
+      return region.overlaps(Box2{place, place});
+    });
+  });
+}
+
 /// Cuts the paths at a time [s]. A path that begins later ends where it begins.
 void end_at(std::vector<StoredPath>& paths, double time) {
   for (StoredPath& path : paths) {
@@ -53,6 +79,8 @@ int animate(const Command& command, const Arguments& arguments) {
       "until", po::value<std::string>()->value_name("TIME"),
       "where the motion ends, as `12 s`; default: all")("at", po::value<std::string>()->value_name("TIME"),
                                                         "one picture, of this time")(
+      "region", po::value<std::string>()->value_name("X0,Y0,X1,Y1"),
+      "what of the scene is seen, in m (3D: in plan); default: all that the rocks pass")(
       "width", po::value<std::string>()->default_value("1280")->value_name("PIXELS"), "of films and of PNG");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
@@ -61,6 +89,8 @@ int animate(const Command& command, const Arguments& arguments) {
   const fs::path result = finished_result(line.words[0]);
   const fs::path file = line.has("output") ? fs::path(line.text("output")) : result / "motion.svg";
   std::optional<double> at;
+  std::optional<Region> region;
+  if (line.has("region")) region = region_of(line.text("region"));
   if (line.has("at")) at = time_of("at", line.text("at"));
   if (at && is_film(file) && file.extension() != ".png")
     throw UsageError("--at gives one picture: expected -o FILE.svg or FILE.png");
@@ -74,13 +104,15 @@ int animate(const Command& command, const Arguments& arguments) {
     throw InputError(fmt::format(
         "no path of point {} is stored; output.trajectories of the scenario says how many are", point));
   if (line.has("until")) end_at(paths, time_of("until", line.text("until")));
+  if (region && !comes_to(*region, paths))
+    throw InputError(fmt::format("--region {}: no stored rock comes there", line.text("region")));
   const std::string title = fmt::format("{}, point {}", title_of(result), point);
   if (is_film(file)) {
-    film(frames_of(database, paths, title, at), file, width);
+    film(frames_of(database, paths, title, at, region), file, width);
     return done;
   }
-  write_file(file, at ? frames_of(database, paths, title, at).pictures.front()
-                      : animation_of(database, paths, title));
+  write_file(file, at ? frames_of(database, paths, title, at, region).pictures.front()
+                      : animation_of(database, paths, title, region));
   fmt::print("{}\n", file.string());
   return done;
 }

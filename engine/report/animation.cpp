@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "report/animated_rock.h"
 #include "report/html.h"
@@ -72,6 +73,53 @@ std::string ground_in_space(const SqliteReader& database, std::int64_t point, co
   return out + "</g>\n";
 }
 
+constexpr std::size_t few = 12;  // bodies that have a name and a line of their way
+
+/// The ways of the centres.
+std::string ways(const std::vector<Actor>& actors, const Stage& stage) {
+  if (actors.size() > few) return "";
+  std::string out = "<g fill=\"none\" stroke=\"#1f5fa8\" stroke-opacity=\"0.35\">\n";
+  for (const Actor& actor : actors) {
+    std::vector<Vec2> way;
+    for (const double t : stage.times) {
+      const Vec2 pixel = stage.pixel(actor.path.at(t).place);
+      if (way.empty() || (pixel - way.back()).norm() > 1) way.push_back(pixel);
+    }
+    if (way.size() > 1) out += fmt::format("<polyline points=\"{}\"/>\n", points_of(way));
+  }
+  return out + "</g>\n";
+}
+
+/// The names of few bodies, beside their centres; those of rocks of one group would all be the same.
+std::string names(const std::vector<Actor>& actors, const Stage& stage) {
+  constexpr double aside = 0.75, most = 14;  // of the extent; pixels
+  std::set<std::string> different;
+  for (const Actor& actor : actors) different.insert(actor.path.group);
+  if (actors.size() > few || actors.size() < 2 || different.size() < actors.size()) return "";
+  std::string out =
+      "<g font-size=\"10\" fill=\"#222\" stroke=\"#fff\" stroke-width=\"2\" paint-order=\"stroke\">\n";
+  for (const Actor& actor : actors) {
+    const auto along = [&](int axis) {
+      return stage.animate(axis == 0 ? "x" : "y", Stage::Pace::smooth, [&](double t) {
+        const double distance = std::min(most, aside * stage.scale * actor.extent);
+        const Vec2 corner = stage.pixel(actor.path.at(t).place) + distance * Vec2(1, -1);
+        return fmt::format("{:.1f}", corner[axis] + (axis == 0 ? 2 : -2));
+      });
+    };
+    out += element("text", {along(0), along(1)}, escaped(actor.path.group)) + "\n";
+  }
+  return out + "</g>\n";
+}
+
+/// The ends that links have on what does not move.
+std::vector<Vec3> fixed_ends(const std::vector<StoredLink>& links) {
+  std::vector<Vec3> places;
+  for (const StoredLink& link : links)
+    for (const StoredLink::End& end : {link.a, link.b})
+      if (!end.path) places.push_back(end.place);
+  return places;
+}
+
 /// Links are lines between their ends, a hinge is a dot. A rope is thin, a spring dashed.
 std::string drawn_links(const std::vector<StoredLink>& links, const Stage& stage) {
   std::string out;
@@ -138,13 +186,14 @@ std::string legend(const Stage& stage, double greatest) {
 
 /// What there is to draw, and where.
 struct Scene {
-  Scene(const SqliteReader& database, const std::vector<StoredPath>& paths)
+  Scene(const SqliteReader& database, const std::vector<StoredPath>& paths,
+        const std::optional<Region>& region)
       : fixtures(stored_fixtures(database, paths)),
         links(stored_links(database, paths, fixtures)),
         actors(actors_of(database, paths, fixtures)),
         point(paths.front().point),
         dimension(stored_ground(database, point) ? 3 : 2),
-        stage(actors, dimension),
+        stage(actors, fixed_ends(links), dimension, region),
         ground(dimension == 2 ? ground_in_plane(database, point, stage)
                               : ground_in_space(database, point, stage)),
         contacts(stored_contacts(database, point, paths.front().trial)) {
@@ -172,24 +221,27 @@ std::string drawn(const Scene& scene, const std::string& title) {
       "height=\"100%\" fill=\"#fff\"/>\n<svg width=\"{0:.0f}\" height=\"{3:.0f}\"><g stroke=\"#444\">\n",
       stage.width, stage.height + legend_high, escaped(title), stage.height);
   out += scene.ground;
+  out += ways(scene.actors, stage);
   for (const Actor& actor : scene.actors) out += animated_rock(actor, stage, scene.dimension);
   out += drawn_links(scene.links, stage);
   const double greatest = greatest_force(scene.contacts);
+  out += names(scene.actors, stage);
   out += forces(scene.contacts, greatest, stage);
+  if (scene.dimension == 2) out += stage.heights();
   return out + "</g></svg>\n" + stage.axis() + legend(stage, greatest) + "</svg>\n";
 }
 
 }  // namespace
 
 std::string animation_of(const SqliteReader& database, const std::vector<StoredPath>& paths,
-                         const std::string& title) {
-  return paths.empty() ? "" : drawn(Scene(database, paths), title);
+                         const std::string& title, const std::optional<Region>& region) {
+  return paths.empty() ? "" : drawn(Scene(database, paths, region), title);
 }
 
 Frames frames_of(const SqliteReader& database, const std::vector<StoredPath>& paths, const std::string& title,
-                 std::optional<double> time) {
+                 std::optional<double> time, const std::optional<Region>& region) {
   if (paths.empty()) return {};
-  Scene scene(database, paths);
+  Scene scene(database, paths, region);
   const std::vector<double> all = scene.stage.times;
   Frames frames;
   frames.rate = static_cast<double>(all.size() - 1) / scene.stage.shown;

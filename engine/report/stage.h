@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "document/value.h"
+#include "geometry/box.h"
 #include "report/rock_view.h"
 #include "report/stored_paths.h"
 
@@ -19,6 +20,10 @@ struct Actor {
   std::vector<SurfaceCorner> corners;
   double extent = 0;  ///< m, of the farthest place from the centre of mass
 };
+
+/// What of a scene is seen, in m: in 2D x and y, in 3D the plan, from the lowest to the highest place of a
+/// rock there.
+using Region = Box2;
 
 /// An attribute that changes: `first`, its value in programs that do not animate pictures, and the element
 /// with its values frame by frame.
@@ -33,7 +38,9 @@ std::string element(const std::string& tag, const std::vector<Animated>& changes
 /// The stage: times of the frames, and where places are in the picture.
 class Stage {
  public:
-  Stage(const std::vector<Actor>& actors, int dimension);
+  /// Shows all that the actors pass and the other `places`, or a region that they pass.
+  Stage(const std::vector<Actor>& actors, const std::vector<Vec3>& places, int dimension,
+        const std::optional<Region>& region);
 
   Vec2 pixel(const Vec2& seen) const {
     return {scale * (seen.x() - low_.x()), height - scale * (seen.y() - low_.y())};
@@ -61,6 +68,8 @@ class Stage {
   std::string axis() const;
   /// A line of round length with that length, 42 pixels below the stage; `end`: where it ends in the picture.
   std::string ruler(double& end) const;
+  /// Heights at the left edge, of a scene in 2D.
+  std::string heights() const;
 
   PictureView view;
   std::vector<double> times;    ///< s, of the frames
@@ -69,6 +78,7 @@ class Stage {
   double scale = 1, width = 0, height = 0;
 
  private:
+  void frame(const Box2& box);
   template <class Value>
   Animated animated(const std::string& tag, const std::string& attribute, Pace pace, Value value) const {
     if (still) return {attribute, value(*still), ""};

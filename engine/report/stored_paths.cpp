@@ -26,7 +26,8 @@ Eigen::Quaterniond turn_of(const Query& row, int first) {
 StoredPaths::StoredPaths(const SqliteReader& database)
     : rows_(database,
             "SELECT t.point, t.trial, t.rock, runout_m, volume_m3, t.time_s, x_m, y_m, z_m, vx_m_s, vy_m_s, "
-            "vz_m_s, kinetic_energy_J, mode, angle_rad, qw, qx, qy, qz FROM trajectories t JOIN rocks USING "
+            "vz_m_s, kinetic_energy_J, mode, angle_rad, qw, qx, qy, qz, \"group\" FROM trajectories t JOIN "
+            "rocks USING "
             "(point, trial, rock) ORDER BY t.point, t.trial, t.rock"),
       more_(rows_.next()) {}
 
@@ -37,6 +38,7 @@ std::vector<StoredPath> StoredPaths::next_point() {
       paths.push_back({rows_.whole(0),
                        rows_.whole(1),
                        rows_.whole(2),
+                       rows_.text(19),
                        rows_.real(3),
                        std::cbrt(6 * rows_.real(4) / pi),
                        {}});

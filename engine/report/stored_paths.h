@@ -2,6 +2,7 @@
 // The stored trajectories of results.db, point by point of the sweep.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "math/space.h"
@@ -20,6 +21,7 @@ struct StoredMoment {
 /// The stored path of one rock.
 struct StoredPath {
   std::int64_t point, trial, rock;
+  std::string group;                  ///< of the rock; of a body, its name
   double runout, diameter;            ///< m; of the sphere of the rock's volume
   std::vector<StoredMoment> moments;  ///< at least one
 

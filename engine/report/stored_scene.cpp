@@ -87,7 +87,7 @@ std::vector<StoredFixture> stored_fixtures(const SqliteReader& database,
                                   .time = row.real(1),
                                   .angle = row.real(14),
                                   .turn = {row.real(15), row.real(16), row.real(17), row.real(18)}};
-    StoredFixture fixture{row.text(0), {first.point, first.trial, -1, 0, 0, {}}, {}};
+    StoredFixture fixture{{first.point, first.trial, -1, row.text(0), 0, 0, {}}, {}};
     const int count = motion.moves() && end > motion.time ? pieces : 0;
     for (int i = 0; i <= count; ++i)
       fixture.path.moments.push_back(motion.at(motion.time + (end - motion.time) * i / std::max(count, 1)));
@@ -117,7 +117,7 @@ std::vector<StoredLink> stored_links(const SqliteReader& database, const std::ve
     for (const StoredPath& path : paths)
       if (rock >= 0 && path.rock == rock && path.trial == paths.front().trial) return &path;
     for (const StoredFixture& fixture : fixtures)
-      if (fixture.body == body) return &fixture.path;
+      if (fixture.path.group == body) return &fixture.path;
     return nullptr;
   };
   const auto end = [&](int first) -> std::optional<StoredLink::End> {

@@ -24,8 +24,7 @@ std::vector<SurfaceCorner> stored_corners(const SqliteReader& database, const St
 
 /// A fixed or driven body (record/scenery.h).
 struct StoredFixture {
-  std::string body;
-  StoredPath path;  ///< one moment if the body does not move; the rock is -1
+  StoredPath path;  ///< one moment if the body does not move; the rock is -1, the group the body's name
   std::vector<SurfaceCorner> corners;
 };
 

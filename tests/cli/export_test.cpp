@@ -446,6 +446,44 @@ TEST_CASE("an animated picture shows its first moment in programs that do not an
   CHECK(picture.find("<g transform=\"translate(" + first + ")\">") != std::string::npos);
 }
 
+TEST_CASE(
+    "an animated picture names its few bodies, shows their ways, heights, fixed ends of links and a region") {
+  const Folder folder;
+  folder.write("two.yaml", R"(flyrock: 1
+dimension: 2
+method: nscd
+terrain: { type: profile, points: [[-20, 0], [20, 0]], material: rock }
+materials: { rock: { friction: { type: coulomb, mu: 0.6 } } }
+bodies:
+  - { name: left, shape: { type: disk, radius: 0.2 }, mass: 3 kg, position: [-2, 0.2], velocity: [1, 0], material: rock }
+  - { name: bob, shape: { type: disk, radius: 0.2 }, mass: 3 kg, position: [2, 1], material: rock }
+links:
+  - { name: rope, type: rope, between: [bob, terrain], ends: [[2, 1], [2, 9]] }
+stop: { time: 1 s, speed: 0 }
+)");
+  const Output ran = call(folder, "run two.yaml -o r --quiet");
+  INFO(ran.err);
+  REQUIRE(ran.code == 0);
+  REQUIRE(call(folder, "animate r -o whole.svg").code == 0);
+  const std::string whole = read(folder.path() / "whole.svg");
+  CHECK(whole.find("</text>") != std::string::npos);
+  CHECK(count_of(whole, "/>left</text>") + count_of(whole, "/>bob</text>") == 2);
+  CHECK(count_of(whole, "stroke-opacity=\"0.35\"") == 1);
+  CHECK(count_of(whole, ">8 m</text>") == 1);  // up to the end of the rope
+  REQUIRE(call(folder, "animate r -o near.svg --region=-2.5,0,2.5,2").code == 0);
+  const std::string near = read(folder.path() / "near.svg");
+  CHECK(count_of(near, ">8 m</text>") == 0);
+  CHECK(count_of(near, ">1.5 m</text>") == 1);
+  for (const char* wrong : {"1,2,3", "0,0,1,1,", "0,0,-1,1", "0,0,1 kg,1", "a,b,c,d"}) {
+    const Output refused = call(folder, "animate r --region '" + std::string(wrong) + "'");
+    CHECK(refused.code == 2);
+    CHECK(refused.err.find("expected X0,Y0,X1,Y1") != std::string::npos);
+  }
+  const Output away = call(folder, "animate r --region 100,0,110,5");
+  CHECK(away.code == 2);
+  CHECK(away.err.find("--region 100,0,110,5: no stored rock comes there") != std::string::npos);
+}
+
 TEST_CASE("animate writes one moment, films and frames") {
   const Folder folder;
   const std::string scenario = std::string(FLYROCK_SOURCE_DIR) + "/scenarios/course/bouncing_ball.yaml";
