@@ -1,4 +1,4 @@
-// docs/architecture.md lists the files of each floor with the first sentence of their header. The lists are
+// docs/files.md lists the files of each floor with the first sentence of their header. The lists are
 // made from the headers: FLYROCK_UPDATE_DOCS=1 writes them anew.
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -15,7 +15,7 @@ namespace architecture_page {
 namespace fs = std::filesystem;
 
 const fs::path root = FLYROCK_SOURCE_DIR;
-const fs::path page = root / "docs/architecture.md";
+const fs::path page = root / "docs/files.md";
 
 std::string text_of(const fs::path& path) {
   std::ifstream file(path);
@@ -81,12 +81,12 @@ std::string with_tables(const std::string& text, int& tables) {
 
 }  // namespace architecture_page
 
-TEST_CASE("docs/architecture.md lists every header of every floor with its first sentence") {
+TEST_CASE("docs/files.md lists every header of every floor with its first sentence") {
   using namespace architecture_page;
   int tables = 0;
   const std::string text = text_of(page), made = with_tables(text, tables);
   if (std::getenv("FLYROCK_UPDATE_DOCS")) std::ofstream(page) << made;
-  INFO("FLYROCK_UPDATE_DOCS=1 flyrock_unit_tests \"docs/architecture.md*\" writes it anew");
+  INFO("FLYROCK_UPDATE_DOCS=1 flyrock_unit_tests \"docs/files.md*\" writes it anew");
   CHECK(text == made);
   int folders = 0;
   for (const char* tree : {"engine", "lua"})
