@@ -104,26 +104,15 @@ template <int D>
 template <int N>
 double Nlgs<D>::sweep_bodies(std::vector<Row>& r) {
   const Problem& problem = *problem_;
-  motions_.resize(static_cast<std::size_t>(problem.bodies));
-  for (auto& motion : motions_) motion.setZero();
-  const auto move = [&](int a, const Row& impulse) {
-    for (const auto& side : problem.sides[a])
-      if (side.body >= 0)
-        motions_[side.body].noalias() += side.mobility.template leftCols<N>() * impulse.template head<N>();
-  };
-  for (int a = 0; a < problem.size(); ++a) move(a, r[a]);
+  find_motions<N>(problem, r, motions_);
   double greatest = 0, sum = 0;
   for (int a = 0; a < problem.size(); ++a) {
-    Row u = problem.contacts[a].q;
-    for (const auto& side : problem.sides[a])
-      if (side.body >= 0)
-        u.template head<N>().noalias() +=
-            side.columns.template leftCols<N>().transpose() * motions_[side.body];
+    const Row u = velocity_by<N>(problem, a, motions_);
     Row b = u;
     b.template head<N>().noalias() -= own<N>(a) * r[a].template head<N>();
     const Row before = r[a];
     const double error = solve_contact(a, b, u, r[a]);
-    move(a, r[a] - before);
+    push_bodies<N, D>(problem, a, r[a] - before, motions_);
     greatest = std::max(greatest, error);
     sum += error;
   }
@@ -148,6 +137,17 @@ void Nlgs<D>::accelerate(std::vector<Row>& r) {
     for (int row = 0; row < width; ++row) r[a][row] = to_[k++];
 }
 
+/// Checks r; the velocities of the bodies make it as cheap as a sweep.
+template <int D>
+void Nlgs<D>::check(const std::vector<Row>& r) {
+  if (problem_->sides.empty()) return judge(*problem_, settings_, r, result_);
+  if (problem_->width() == D)
+    find_motions<D>(*problem_, r, motions_);
+  else
+    find_motions<Problem::rows>(*problem_, r, motions_);
+  judge(*problem_, settings_, r, result_, &motions_);
+}
+
 template <int D>
 const SolveResult& Nlgs<D>::run(int sweeps, std::vector<Row>& r) {
   constexpr int longest_wait = 32;
@@ -160,7 +160,7 @@ const SolveResult& Nlgs<D>::run(int sweeps, std::vector<Row>& r) {
     const double met = sweep(r);
     const int k = ++result_.iterations;
     if (!accelerated_ || k >= next_judgement_ || met * expected_ratio_ <= wanted_ || k == end) {
-      judge(problem, settings_, r, result_);
+      check(r);
       if (result_.converged) return result_;
       const double scale = settings_.measure == ErrorMeasure::merit
                                ? settings_.tolerance / wanted_
@@ -172,7 +172,7 @@ const SolveResult& Nlgs<D>::run(int sweeps, std::vector<Row>& r) {
     if (accelerated_) accelerate(r);
   }
   r = best_;
-  judge(problem, settings_, r, result_);
+  check(r);
   return result_;
 }
 

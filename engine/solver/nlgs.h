@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solver/anderson.h"
+#include "solver/body_motions.h"
 #include "solver/contact_problem.h"
 #include "solver/local_3d.h"
 #include "solver/solve_settings.h"
@@ -52,6 +53,7 @@ class Nlgs {
   double solve_contact(int a, const Row& b, const Row& u, Row& r) const;
   void begin_acceleration();
   void accelerate(std::vector<Row>& r);
+  void check(const std::vector<Row>& r);
 
   const Problem* problem_ = nullptr;
   SolveSettings settings_;
@@ -60,8 +62,8 @@ class Nlgs {
   double expected_ratio_ = 1;  ///< error after a sweep / error during the sweep, from the last check
   int next_judgement_ = 1;
   bool accelerated_ = false;
-  std::vector<FrictionContact3> friction_;                        ///< of each contact, in 3D
-  std::vector<Eigen::Matrix<double, Space<D>::dof, 1>> motions_;  ///< of each body, by r
+  std::vector<FrictionContact3> friction_;  ///< of each contact, in 3D
+  std::vector<BodyMotion<D>> motions_;      ///< of each body, by r
   Anderson anderson_;
   std::vector<double> scale_, from_, to_;
   std::vector<Row> best_;

@@ -119,7 +119,7 @@ Merit merit(const ContactProblem<D>& problem, const std::vector<Row<D>>& r) {
 
 template <int D>
 void judge(const ContactProblem<D>& problem, const SolveSettings& settings, const std::vector<Row<D>>& r,
-           SolveResult& result) {
+           SolveResult& result, const std::vector<BodyMotion<D>>* motions) {
   if (settings.measure == ErrorMeasure::merit) {
     const Merit found = merit(problem, r);
     result.residual = found.relative();
@@ -132,7 +132,10 @@ void judge(const ContactProblem<D>& problem, const SolveSettings& settings, cons
   result.worst_contact = -1;
   for (int a = 0; a < problem.size(); ++a) {
     const auto& contact = problem.contacts[a];
-    const double error = local_error<D>(contact, problem.velocity(a, r), r[a]);
+    const Row<D> u = !motions               ? problem.velocity(a, r)
+                     : problem.width() == D ? velocity_by<D>(problem, a, *motions)
+                                            : velocity_by<ContactProblem<D>::rows>(problem, a, *motions);
+    const double error = local_error<D>(contact, u, r[a]);
     if (result.worst_contact < 0 || !(error <= result.residual))
       result.residual = error, result.worst_contact = a;
     const double allowed = settings.tolerance * contact.speed_scale;
@@ -147,7 +150,7 @@ void judge(const ContactProblem<D>& problem, const SolveSettings& settings, cons
   template double natural_map_squared<D>(const ContactProblem<D>::Contact&, const Row<D>&, const Row<D>&); \
   template Merit merit<D>(const ContactProblem<D>&, const std::vector<Row<D>>&);                           \
   template void judge<D>(const ContactProblem<D>&, const SolveSettings&, const std::vector<Row<D>>&,       \
-                         SolveResult&);
+                         SolveResult&, const std::vector<BodyMotion<D>>*);
 FLYROCK_INSTANTIATE(2)
 FLYROCK_INSTANTIATE(3)
 #undef FLYROCK_INSTANTIATE

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "solver/body_motions.h"
 #include "solver/contact_problem.h"
 #include "solver/solve_settings.h"
 
@@ -45,9 +46,11 @@ double natural_map_squared(const typename ContactProblem<D>::Contact& contact,
 template <int D>
 Merit merit(const ContactProblem<D>& problem, const std::vector<typename ContactProblem<D>::Row>& r);
 
-/// Checks r by the error measure of `settings`. Fills converged, residual and worst_contact of `result`.
+/// Checks r by the error measure of `settings`. Fills converged, residual and worst_contact of `result`. If
+/// the velocities that r gives to the bodies are given, those of contacts are taken from them.
 template <int D>
 void judge(const ContactProblem<D>& problem, const SolveSettings& settings,
-           const std::vector<typename ContactProblem<D>::Row>& r, SolveResult& result);
+           const std::vector<typename ContactProblem<D>::Row>& r, SolveResult& result,
+           const std::vector<BodyMotion<D>>* motions = nullptr);
 
 }  // namespace flyrock
