@@ -6,21 +6,6 @@
 
 namespace flyrock {
 
-namespace {
-
-/// The mesh with its sides, and in 3D the nodes of them.
-template <int D>
-ElasticMesh<D> with_surface(ElasticMesh<D> mesh) {
-  mesh.sides = outer_sides<D>(mesh.cells);
-  if (D == 2) return mesh;
-  for (const auto& side : mesh.sides) mesh.surface.insert(mesh.surface.end(), side.begin(), side.end());
-  std::sort(mesh.surface.begin(), mesh.surface.end());
-  mesh.surface.erase(std::unique(mesh.surface.begin(), mesh.surface.end()), mesh.surface.end());
-  return mesh;
-}
-
-}  // namespace
-
 ElasticMesh<2> crossed_rectangle(const Vec2& size, const std::array<int, 2>& cells) {
   ElasticMesh<2> mesh;
   const auto [columns, rows] = cells;
@@ -39,7 +24,8 @@ ElasticMesh<2> crossed_rectangle(const Vec2& size, const std::array<int, 2>& cel
   for (int j = 0; j < rows; ++j) mesh.surface.push_back(corner(columns, j));
   for (int i = columns; i > 0; --i) mesh.surface.push_back(corner(i, rows));
   for (int j = rows; j > 0; --j) mesh.surface.push_back(corner(0, j));
-  return with_surface(std::move(mesh));
+  find_surface(mesh);
+  return mesh;
 }
 
 ElasticMesh<2> ringed_disk(double radius, int rings) {
@@ -63,7 +49,8 @@ ElasticMesh<2> ringed_disk(double radius, int rings) {
           mesh.cells.push_back({node(ring - 1, inner), node(ring, outer + 1), node(ring - 1, inner + 1)});
       }
   for (int i = 0; i < sectors * rings; ++i) mesh.surface.push_back(node(rings, i));
-  return with_surface(std::move(mesh));
+  find_surface(mesh);
+  return mesh;
 }
 
 ElasticMesh<3> bricked_box(const Vec3& size, const std::array<int, 3>& cells) {
@@ -90,7 +77,8 @@ ElasticMesh<3> bricked_box(const Vec3& size, const std::array<int, 3>& cells) {
           mesh.cells.push_back(cell);
         }
       }
-  return with_surface(std::move(mesh));
+  find_surface(mesh);
+  return mesh;
 }
 
 template <int D>
@@ -112,6 +100,15 @@ std::vector<std::array<int, D>> outer_sides(const std::vector<std::array<int, D 
     }
   std::erase_if(sides, [&](const std::array<int, D>& side) { return count.at(sorted(side)) > 1; });
   return sides;
+}
+
+template <int D>
+void find_surface(ElasticMesh<D>& mesh) {
+  mesh.sides = outer_sides<D>(mesh.cells);
+  if (D == 2) return;  // the outline is known
+  for (const auto& side : mesh.sides) mesh.surface.insert(mesh.surface.end(), side.begin(), side.end());
+  std::sort(mesh.surface.begin(), mesh.surface.end());
+  mesh.surface.erase(std::unique(mesh.surface.begin(), mesh.surface.end()), mesh.surface.end());
 }
 
 double cell_determinant(const ElasticMesh<2>& mesh, const std::array<int, 3>& cell) {
@@ -152,6 +149,7 @@ MeshMoments<D> moments_of(const ElasticMesh<D>& mesh) {
 
 #define FLYROCK_INSTANTIATE(D)                                                                         \
   template std::vector<std::array<int, D>> outer_sides<D>(const std::vector<std::array<int, D + 1>>&); \
+  template void find_surface(ElasticMesh<D>&);                                                         \
   template MeshMoments<D> moments_of(const ElasticMesh<D>&)
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);

@@ -25,6 +25,9 @@ struct ElasticMesh {
 /// are counter-clockwise as seen from outside in 3D.
 template <int D>
 std::vector<std::array<int, D>> outer_sides(const std::vector<std::array<int, D + 1>>& cells);
+/// Sets the sides of a mesh, and in 3D the nodes of its surface.
+template <int D>
+void find_surface(ElasticMesh<D>& mesh);
 
 /// A rectangle about the origin. Its quads are crossed: each is four triangles about its middle, because a
 /// mesh with one diagonal is stiffer along it (of a cantilever of 4 cells 0.82 of the sag, crossed 0.95).
