@@ -111,6 +111,18 @@ bool World<D>::deforms(const Contact& contact) const {
                       (contact.antagonist >= 0 && bodies[contact.antagonist].deforms()));
 }
 
+/// How fast the turn of its block changes the velocity of a node at most, at the start of the step [m/s2]:
+/// |w| (|w| |r| + 2 |u'|), with the lever r and the rate u' of its displacement (centripetal and Coriolis).
+template <int D>
+double World<D>::turn_of_node(const Contact& contact) const {
+  const int block = bodies[contact.candidate].deforms() ? contact.candidate : contact.antagonist;
+  const Body<D>& body = bodies[block];
+  const int node = body.deformation.node_of(contactor_of(shape_touch(contact, block).feature));
+  const double spin = spin_speed(starts_[block].w);
+  return spin * (spin * (contact.at.point - body.x).norm() +
+                 2 * body.deformation.start.template segment<D>(D * node).norm());
+}
+
 /// What the deformable blocks lose in a step of length h, without the contacts, for the rates u'_theta and
 /// displacements over the step
 ///   h u'_theta.C u'_theta + (theta - 1/2) (du'.M du' + du.K du + m |dv|^2 + dw.J dw)
@@ -178,11 +190,12 @@ bool World<D>::vibrates() const {
          });
 }
 
-#define FLYROCK_INSTANTIATE(D)                           \
-  template bool World<D>::deforms(const Contact&) const; \
-  template void World<D>::account_deformations(double);  \
-  template void World<D>::account_turns(double);         \
-  template void World<D>::settle_deformations();         \
+#define FLYROCK_INSTANTIATE(D)                                  \
+  template bool World<D>::deforms(const Contact&) const;        \
+  template double World<D>::turn_of_node(const Contact&) const; \
+  template void World<D>::account_deformations(double);         \
+  template void World<D>::account_turns(double);                \
+  template void World<D>::settle_deformations();                \
   template bool World<D>::vibrates() const
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);

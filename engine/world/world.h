@@ -409,6 +409,7 @@ class World {
   // deforming.cpp: deformable blocks
   bool deforms(const Contact& contact) const;
   void account_deformations(double h);
+  double turn_of_node(const Contact& contact) const;
   void account_turns(double h);
   double slack(int body) const { return deforms_ ? bodies[body].deformation.greatest : 0; }
 
