@@ -10,9 +10,10 @@ namespace flyrock {
 namespace {
 
 /// The smaller extent of a mesh along its axes [m].
-double least_extent(const ElasticMesh<2>& mesh) {
-  Vec2 low = mesh.nodes.front(), high = low;
-  for (const Vec2& node : mesh.nodes) {
+template <int D>
+double least_extent(const ElasticMesh<D>& mesh) {
+  Vec<D> low = mesh.nodes.front(), high = low;
+  for (const Vec<D>& node : mesh.nodes) {
     low = low.cwiseMin(node);
     high = high.cwiseMax(node);
   }
@@ -28,7 +29,7 @@ std::vector<LongStep> long_steps(const Scenario& scenario, const World<D>& world
   for (std::size_t i = 0; i < world.bodies.size() && world.deforms(); ++i) {
     const Body<D>& body = world.bodies[i];
     if (!body.deformation.moves()) continue;
-    const ElasticBlock& block = *body.deformation.block;
+    const ElasticBlock<D>& block = *body.deformation.block;
     const double sound = std::sqrt(block.model.material().young / block.model.material().density);
     const double transits = block.h * sound / least_extent(block.model.mesh());
     if (transits > longest)
@@ -50,8 +51,8 @@ std::string deformable_note(const World<D>& world) {
     if (!body.deformation.moves()) continue;
     names += (names.empty() ? "`" : ", `") + body.group + "`";
     if (const int count = body.deformation.block->model.mesh().ignored; count > 0)
-      ignored += fmt::format("; {} elements of the mesh of `{}` are no triangles of 3 nodes, and are ignored",
-                             count, body.group);
+      ignored += fmt::format("; {} elements of the mesh of `{}` are no {}, and are ignored", count,
+                             body.group, D == 2 ? "triangles of 3 nodes" : "tetrahedra of 4 nodes");
     sinks = std::max(sinks, 0.5 * world.settings().time_step * body.v.norm());
   }
   return fmt::format(

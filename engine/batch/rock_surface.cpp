@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "elastic/elastic_block.h"
 #include "geometry/ground.h"
 
 namespace flyrock {
@@ -175,6 +176,15 @@ std::vector<SurfaceCorner> surface_of(const Body<2>& body) {
   for (const Contactor2& node : body.contactors) corners.push_back(node.points.front());
   return surface_of(std::vector{Contactor2::hull(std::move(corners), 0)});
 }
-std::vector<SurfaceCorner> surface_of(const Body<3>& body) { return surface_of(body.contactors); }
+std::vector<SurfaceCorner> surface_of(const Body<3>& body) {
+  if (!body.deformation.moves()) return surface_of(body.contactors);
+  std::vector<SurfaceCorner> corners;
+  int face = 0;
+  for (const auto& side : body.deformation.block->model.mesh().sides) {
+    for (const int node : side) corners.push_back({0, face, body.deformation.place(node), 0});
+    ++face;
+  }
+  return corners;
+}
 
 }  // namespace flyrock

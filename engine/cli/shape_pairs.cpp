@@ -144,9 +144,9 @@ std::string shape_pairs(const std::vector<const PluginSpec*>& shapes, const std:
       "another "
       "one, and the ground is in none. Surfaces (`mesh_patch`, `polyline`) are fixed or driven, and do not "
       "touch each other or the ground. A `mesh_point` touches with its vertices only: the ground, planes and "
-      "surfaces, which have faces. Two points have no extent and pass each other. A compound and a point "
-      "serve "
-      "2D and 3D; each has its row in the table of its example. The parts of a compound touch as their "
+      "surfaces, which have faces. Two points have no extent and pass each other. A compound, a point "
+      "and a deformable block serve 2D and 3D; each has its row in the table of its example. In 3D too, a "
+      "deformable block touches as points do. The parts of a compound touch as their "
       "shapes "
       "do. The ground is a profile, benches or a section in 2D, and a plane, a mesh, a raster or benches in "
       "3D.\n\n{}\n{}\n{}",

@@ -5,10 +5,11 @@
 
 namespace flyrock {
 
-/// In 2D. Its columns (ElasticStep::column) are found when a node touches for the first time, so that the
+/// Its columns (ElasticStep::column) are found when a node touches for the first time, so that the
 /// blocks of one thread only may share it.
+template <int D>
 struct ElasticBlock {
-  ElasticBlock(ElasticMesh<2> mesh, const ElasticMaterial& material, double step_length, double step_theta)
+  ElasticBlock(ElasticMesh<D> mesh, const ElasticMaterial& material, double step_length, double step_theta)
       : model(std::move(mesh), material),
         h(step_length),
         theta(step_theta),
@@ -16,9 +17,9 @@ struct ElasticBlock {
   ElasticBlock(const ElasticBlock&) = delete;
   ElasticBlock& operator=(const ElasticBlock&) = delete;
 
-  ElasticModel<2> model;
+  ElasticModel<D> model;
   double h, theta;
-  ElasticStep<2> step;
+  ElasticStep<D> step;
 };
 
 }  // namespace flyrock

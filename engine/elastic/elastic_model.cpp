@@ -4,57 +4,107 @@
 
 #include <stdexcept>
 
+#include "geometry/volume_properties.h"
+
 namespace flyrock {
 
 namespace {
 
-/// Stress by strain (xx, yy, 2xy) in plane strain [Pa].
-Eigen::Matrix3d plane_strain_law(const ElasticMaterial& material) {
+/// Stress by strain [Pa], in 2D in plane strain.
+template <int D>
+Eigen::Matrix<double, ElasticModel<D>::strains, ElasticModel<D>::strains> isotropic_law(
+    const ElasticMaterial& material) {
+  constexpr int strains = ElasticModel<D>::strains;
   const double nu = material.poisson;
+  Eigen::Matrix<double, strains, strains> law = Eigen::Matrix<double, strains, strains>::Zero();
+  law.template topLeftCorner<D, D>().setConstant(nu);
+  for (int i = 0; i < strains; ++i) law(i, i) = i < D ? 1 - nu : 0.5 * (1 - 2 * nu);
   const double scale = material.young / ((1 + nu) * (1 - 2 * nu));
-  Eigen::Matrix3d law;
-  law << 1 - nu, nu, 0, nu, 1 - nu, 0, 0, 0, 0.5 * (1 - 2 * nu);
   return scale * law;
+}
+
+/// The axes of the shear strains, in the order of ElasticModel::Tensor.
+template <int D>
+constexpr auto shears() {
+  if constexpr (D == 2)
+    return std::array<std::pair<int, int>, 1>{{{0, 1}}};
+  else
+    return std::array<std::pair<int, int>, 3>{{{1, 2}, {2, 0}, {0, 1}}};
+}
+
+/// The gradient of the shape function of corner k of a cell [1/m].
+Vec2 shape_gradient(const ElasticMesh<2>& mesh, const std::array<int, 3>& cell, int k) {
+  const double doubled = cell_determinant(mesh, cell);
+  const Vec2 side = (mesh.nodes[cell[(k + 2) % 3]] - mesh.nodes[cell[(k + 1) % 3]]) / doubled;
+  return {-side.y(), side.x()};
+}
+Vec3 shape_gradient(const ElasticMesh<3>& mesh, const std::array<int, 4>& cell, int k) {
+  const double sixfold = cell_determinant(mesh, cell);
+  const Vec3& origin = mesh.nodes[cell[(k + 1) % 4]];
+  const Vec3 normal = (mesh.nodes[cell[(k + 2) % 4]] - origin).cross(mesh.nodes[cell[(k + 3) % 4]] - origin);
+  return (k % 2 == 0 ? -1 : 1) / sixfold * normal;
+}
+
+/// Moves the nodes into the frame of the body: the moment of inertia there, and the rotation that is left.
+double to_own_frame(ElasticMesh<2>& mesh, const MeshMoments<2>& moments, Rotation2&) {
+  for (Vec2& node : mesh.nodes) node -= moments.centre;
+  return moments.spread.trace();
+}
+Vec3 to_own_frame(ElasticMesh<3>& mesh, const MeshMoments<3>& moments, Rotation3& rotation) {
+  const PrincipalFrame principal =
+      principal_frame(moments.spread.trace() * Eigen::Matrix3d::Identity() - moments.spread);
+  rotation = principal.rotation;
+  for (Vec3& node : mesh.nodes) node = rotation.inverse(Vec3(node - moments.centre));
+  return principal.moments;
+}
+
+/// The displacements of a node by the rigid modes, in its columns.
+Eigen::Matrix<double, 2, 3> rigid_motion(const Vec2& node) {
+  Eigen::Matrix<double, 2, 3> columns;
+  columns << 1, 0, -node.y(), 0, 1, node.x();
+  return columns;
+}
+Eigen::Matrix<double, 3, 6> rigid_motion(const Vec3& node) {
+  Eigen::Matrix<double, 3, 6> columns;
+  columns.leftCols<3>().setIdentity();
+  for (int axis = 0; axis < 3; ++axis) columns.col(3 + axis) = Vec3::Unit(axis).cross(node);
+  return columns;
 }
 
 }  // namespace
 
 template <int D>
 ElasticModel<D>::ElasticModel(ElasticMesh<D> mesh, const ElasticMaterial& material)
-    : mesh_(std::move(mesh)), material_(material), law_(plane_strain_law(material)) {
+    : mesh_(std::move(mesh)), material_(material), law_(isotropic_law<D>(material)) {
   for (std::size_t i = 0; i < mesh_.cells.size(); ++i)
-    if (!(doubled_cell_area(mesh_, mesh_.cells[i]) > 0))
-      throw std::invalid_argument(fmt::format("cell {} is inverted or has no area", i + 1));
-  const MeshSection section = section_of(mesh_);
-  for (Vec<D>& node : mesh_.nodes) node -= section.centre;
-  const double area_density = material_.density * material_.thickness;
-  mass_ = area_density * section.area;
-  inertia_ = area_density * section.polar_moment;
+    if (!(cell_determinant(mesh_, mesh_.cells[i]) > 0))
+      throw std::invalid_argument(
+          fmt::format("cell {} is inverted or has no {}", i + 1, D == 2 ? "area" : "volume"));
+  const MeshMoments<D> moments = moments_of(mesh_);
+  const double density = material_.density * material_.thickness;
+  mass_ = density * moments.volume;
+  inertia_ = density * to_own_frame(mesh_, moments, rotation_);
 
   const auto dofs = static_cast<Eigen::Index>(D * mesh_.nodes.size());
   masses_ = Eigen::VectorXd::Zero(dofs);
   std::vector<Eigen::Triplet<double>> entries;
   for (const auto& cell : mesh_.cells) {
-    const double volume = 0.5 * doubled_cell_area(mesh_, cell) * material_.thickness;
+    const double volume = cell_volume(mesh_, cell) * material_.thickness;
     volumes_.push_back(volume);
     const CellStrain strain = strain_of(cell);
-    const Eigen::Matrix<double, 6, 6> own = volume * strain.transpose() * law_ * strain;
-    for (int a = 0; a < 6; ++a) {
+    const Eigen::Matrix<double, dofs_of_cell, dofs_of_cell> own = volume * strain.transpose() * law_ * strain;
+    for (int a = 0; a < dofs_of_cell; ++a) {
       const int row = D * cell[a / D] + a % D;
       masses_[row] += material_.density * volume / (D + 1);
-      for (int b = 0; b < 6; ++b) entries.emplace_back(row, D * cell[b / D] + b % D, own(a, b));
+      for (int b = 0; b < dofs_of_cell; ++b) entries.emplace_back(row, D * cell[b / D] + b % D, own(a, b));
     }
   }
   stiffness_.resize(dofs, dofs);
   stiffness_.setFromTriplets(entries.begin(), entries.end());
 
-  modes_ = Modes::Zero(dofs, rigid);
-  for (std::size_t i = 0; i < mesh_.nodes.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(D * i);
-    modes_(at, 0) = modes_(at + 1, 1) = 1;
-    modes_(at, 2) = -mesh_.nodes[i].y();
-    modes_(at + 1, 2) = mesh_.nodes[i].x();
-  }
+  modes_.resize(dofs, rigid);
+  for (std::size_t i = 0; i < mesh_.nodes.size(); ++i)
+    modes_.template middleRows<D>(static_cast<Eigen::Index>(D * i)) = rigid_motion(mesh_.nodes[i]);
   for (int k = 0; k < rigid;
        ++k) {  // Gram and Schmidt, with the scalar product of M; twice for the last digits
     for (int again = 0; again < 2; ++again)
@@ -67,12 +117,15 @@ ElasticModel<D>::ElasticModel(ElasticMesh<D> mesh, const ElasticMaterial& materi
 template <int D>
 typename ElasticModel<D>::CellStrain ElasticModel<D>::strain_of(const std::array<int, D + 1>& cell) const {
   CellStrain strain = CellStrain::Zero();
-  const double doubled = doubled_cell_area(mesh_, cell);
-  for (int k = 0; k < 3; ++k) {
-    const Vec2 side = (mesh_.nodes[cell[(k + 2) % 3]] - mesh_.nodes[cell[(k + 1) % 3]]) / doubled;
-    const Vec2 gradient(-side.y(), side.x());  // of the shape function of corner k
-    strain(0, 2 * k) = strain(2, 2 * k + 1) = gradient.x();
-    strain(1, 2 * k + 1) = strain(2, 2 * k) = gradient.y();
+  for (int k = 0; k <= D; ++k) {
+    const Vec<D> gradient = shape_gradient(mesh_, cell, k);
+    for (int i = 0; i < D; ++i) strain(i, D * k + i) = gradient[i];
+    int row = D;
+    for (const auto& [i, j] : shears<D>()) {
+      strain(row, D * k + i) = gradient[j];
+      strain(row, D * k + j) = gradient[i];
+      ++row;
+    }
   }
   return strain;
 }
@@ -106,13 +159,14 @@ double ElasticModel<D>::kinetic_energy(const Eigen::VectorXd& rate) const {
 }
 
 template <int D>
-Eigen::Vector3d ElasticModel<D>::stress(int cell, const Eigen::VectorXd& u) const {
+typename ElasticModel<D>::Tensor ElasticModel<D>::stress(int cell, const Eigen::VectorXd& u) const {
   const auto& nodes = mesh_.cells[static_cast<std::size_t>(cell)];
-  Eigen::Matrix<double, 6, 1> own;
-  for (int a = 0; a < 6; ++a) own[a] = u[D * nodes[a / D] + a % D];
+  Vec<dofs_of_cell> own;
+  for (int a = 0; a < dofs_of_cell; ++a) own[a] = u[D * nodes[a / D] + a % D];
   return law_ * (strain_of(nodes) * own);
 }
 
 template class ElasticModel<2>;
+template class ElasticModel<3>;
 
 }  // namespace flyrock

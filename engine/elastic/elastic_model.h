@@ -1,5 +1,6 @@
 #pragma once
-// Linear elasticity of a block in its own frame: finite elements of constant strain (T3).
+// Linear elasticity of a block in its own frame: finite elements of constant strain
+// (T3 in 2D, T4 in 3D).
 
 #include <Eigen/SparseCore>
 #include <memory>
@@ -9,19 +10,19 @@
 
 namespace flyrock {
 
-/// Plane strain in 2D. SI units.
+/// Isotropic; plane strain in 2D. SI units.
 struct ElasticMaterial {
   double young = 0;      ///< Pa
   double poisson = 0;    ///< below 0.5
   double density = 0;    ///< kg/m3
-  double thickness = 1;  ///< m, of the 2D world
+  double thickness = 1;  ///< m, of the 2D world; 1 in 3D
   double alpha = 0;      ///< 1/s, damping in proportion to the mass
   double beta = 0;       ///< s, damping in proportion to the stiffness
 };
 
-/// The equation of motion of the nodes, M u'' + C u' + K u = f, with the lumped mass M (a third of each cell
-/// at its corners) and C = alpha M + beta K. Degrees of freedom are node by node: (x, y) of node 0, of node
-/// 1, ...
+/// The equation of motion of the nodes, M u'' + C u' + K u = f, with the lumped mass M (each corner of a
+/// cell has the same share of it) and C = alpha M + beta K. Degrees of freedom are node by node: (x, y) or
+/// (x, y, z) of node 0, of node 1, ...
 ///
 /// The motion splits into a rigid one, which the body has, and a deformation u that is M-orthogonal to it
 /// (mean axes): R' M u = 0 with the rigid modes R, of which R' M R = 1. Without the split, a stiff block
@@ -31,10 +32,14 @@ template <int D>
 class ElasticModel {
  public:
   static constexpr int rigid = Space<D>::dof;
+  static constexpr int strains = D * (D + 1) / 2;
   using Modes = Eigen::Matrix<double, Eigen::Dynamic, rigid>;
+  /// Strain or stress as a vector: (xx, yy, xy) in 2D, (xx, yy, zz, yz, zx, xy) in 3D; shear strains doubled.
+  using Tensor = Vec<strains>;
 
-  /// The nodes of the mesh are moved so that the centre of mass of the cells is at the origin. Throws
-  /// std::invalid_argument for a cell that is inverted.
+  /// The nodes of the mesh are moved into the frame of the body: the centre of mass of the cells is the
+  /// origin, and in 3D the axes are the principal ones. Throws std::invalid_argument for a cell that is
+  /// inverted.
   ElasticModel(ElasticMesh<D> mesh, const ElasticMaterial& material);
 
   const ElasticMesh<D>& mesh() const { return mesh_; }
@@ -44,8 +49,11 @@ class ElasticModel {
   const Modes& rigid_modes() const { return modes_; }
   int size() const { return static_cast<int>(masses_.size()); }
 
-  double mass() const { return mass_; }        ///< kg, exact
-  double inertia() const { return inertia_; }  ///< kg m2, about the centre of mass, exact of the cells
+  double mass() const { return mass_; }  ///< kg, exact
+  /// About the centre of mass [kg m2], exact of the cells.
+  const typename Space<D>::Inertia& inertia() const { return inertia_; }
+  /// From the frame of the body to that of the mesh as it was given; in 2D no turn.
+  const typename Space<D>::Rotation& rotation() const { return rotation_; }
 
   /// f - M R R' f: what of a force on the nodes does not move the body [N]. In place.
   void drop_rigid_force(Eigen::VectorXd& force) const;
@@ -55,24 +63,28 @@ class ElasticModel {
   double strain_energy(const Eigen::VectorXd& u) const;      ///< u.K u / 2 [J]
   double kinetic_energy(const Eigen::VectorXd& rate) const;  ///< u'.M u' / 2 [J]
 
-  /// The stress in a cell (xx, yy, xy) [Pa], in the body's frame, tension positive.
-  Eigen::Vector3d stress(int cell, const Eigen::VectorXd& u) const;
+  /// The stress in a cell [Pa], in the body's frame, tension positive.
+  Tensor stress(int cell, const Eigen::VectorXd& u) const;
   double volume(int cell) const { return volumes_[static_cast<std::size_t>(cell)]; }  ///< m3
 
  private:
-  using CellStrain = Eigen::Matrix<double, 3, 6>;  ///< strain (xx, yy, 2xy) by the displacements of a cell
+  static constexpr int dofs_of_cell = D * (D + 1);
+  using CellStrain = Eigen::Matrix<double, strains, dofs_of_cell>;  ///< by the displacements of its nodes
   CellStrain strain_of(const std::array<int, D + 1>& cell) const;
 
   ElasticMesh<D> mesh_;
   ElasticMaterial material_;
-  Eigen::Matrix3d law_;  ///< stress by strain
+  Eigen::Matrix<double, strains, strains> law_;  ///< stress by strain
   Eigen::SparseMatrix<double> stiffness_;
   Eigen::VectorXd masses_;
   Modes modes_;
   std::vector<double> volumes_;
-  double mass_ = 0, inertia_ = 0;
+  double mass_ = 0;
+  typename Space<D>::Inertia inertia_{};
+  typename Space<D>::Rotation rotation_;
 };
 
 extern template class ElasticModel<2>;
+extern template class ElasticModel<3>;
 
 }  // namespace flyrock

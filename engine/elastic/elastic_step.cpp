@@ -61,5 +61,6 @@ const typename ElasticStep<D>::Column& ElasticStep<D>::column(int node) const {
 }
 
 template class ElasticStep<2>;
+template class ElasticStep<3>;
 
 }  // namespace flyrock

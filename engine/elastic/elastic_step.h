@@ -46,5 +46,6 @@ class ElasticStep {
 };
 
 extern template class ElasticStep<2>;
+extern template class ElasticStep<3>;
 
 }  // namespace flyrock

@@ -33,7 +33,17 @@ PrincipalStress principal_stress(const ElasticModel<2>& model, int cell, const E
   return {middle + radius, middle - radius};
 }
 
-StressShare stress_share(const ElasticModel<2>& model, const Eigen::VectorXd& u,
+PrincipalStress principal_stress(const ElasticModel<3>& model, int cell, const Eigen::VectorXd& u) {
+  const Vec<6> stress = model.stress(cell, u);
+  Eigen::Matrix3d tensor;
+  tensor << stress[0], stress[5], stress[4], stress[5], stress[1], stress[3], stress[4], stress[3], stress[2];
+  const Vec3 principal =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(tensor, Eigen::EigenvaluesOnly).eigenvalues();
+  return {principal[2], principal[0]};  // in ascending order
+}
+
+template <int D>
+StressShare stress_share(const ElasticModel<D>& model, const Eigen::VectorXd& u,
                          const std::optional<double>& strength) {
   std::vector<CellValue> tension, compression;
   double volume = 0, above = 0;
@@ -48,5 +58,10 @@ StressShare stress_share(const ElasticModel<2>& model, const Eigen::VectorXd& u,
   return {exceeded_in_a_hundredth(tension, volume), exceeded_in_a_hundredth(compression, volume),
           strength ? above / volume : std::numeric_limits<double>::quiet_NaN()};
 }
+
+template StressShare stress_share(const ElasticModel<2>&, const Eigen::VectorXd&,
+                                  const std::optional<double>&);
+template StressShare stress_share(const ElasticModel<3>&, const Eigen::VectorXd&,
+                                  const std::optional<double>&);
 
 }  // namespace flyrock

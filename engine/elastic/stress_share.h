@@ -7,13 +7,14 @@
 
 namespace flyrock {
 
-/// The principal stresses of a cell in the plane [Pa], tension positive.
+/// The greatest and the least principal stress of a cell [Pa], tension positive; in 2D of those in the plane.
 struct PrincipalStress {
   double greatest = 0, least = 0;
 };
 PrincipalStress principal_stress(const ElasticModel<2>& model, int cell, const Eigen::VectorXd& u);
+PrincipalStress principal_stress(const ElasticModel<3>& model, int cell, const Eigen::VectorXd& u);
 
-/// Principal stresses in the plane, by volume: the greatest stress of a mesh is no result, because it grows
+/// Principal stresses by volume: the greatest stress of a mesh is no result, because it grows
 /// with each refinement under a contact. Tension positive, and so is compression [Pa].
 struct StressShare {
   double tension = 0;         ///< the greatest principal stress exceeds it in 1 % of the volume
@@ -22,7 +23,8 @@ struct StressShare {
 };
 
 /// `strength` [Pa]: without one the share is NaN.
-StressShare stress_share(const ElasticModel<2>& model, const Eigen::VectorXd& u,
+template <int D>
+StressShare stress_share(const ElasticModel<D>& model, const Eigen::VectorXd& u,
                          const std::optional<double>& strength);
 
 }  // namespace flyrock

@@ -95,7 +95,7 @@ void SeriesRecorder<D>::put(int body, const BodyState& state, const Attitude<D>&
 /// Energy and stress of a deformable block.
 template <int D>
 void SeriesRecorder<D>::put_stress(int body, const BodyState& state, const Attitude<D>& attitude) {
-  const Deformation& own = world_.bodies[body].deformation;
+  const Deformation<D>& own = world_.bodies[body].deformation;
   rows_.bodies.back().potential_energy += own.strain_energy();
   const StressShare share = stress_share(own.block->model, own.u, own.strength);
   rows_.stresses.push_back({.time = state.time,
@@ -114,43 +114,46 @@ void SeriesRecorder<D>::put_stress(int body, const BodyState& state, const Attit
 /// The nodes and cells of a deformable block, in place of those of an instant when it was stressed less.
 template <int D>
 void SeriesRecorder<D>::put_mesh(int body, const BodyState& state, const Attitude<D>& attitude) {
-  if constexpr (D == 2) {
-    const Deformation& own = world_.bodies[body].deformation;
-    const auto& mesh = own.block->model.mesh();
-    const SeriesStress& now = rows_.stresses.back();
-    std::optional<Mesh>& last = meshes_[static_cast<std::size_t>(body)];
-    if (request_.meshes || !last) {
-      last = Mesh{now, rows_.nodes.size(), rows_.cells.size()};
-      rows_.nodes.resize(last->node + mesh.nodes.size());
-      rows_.cells.resize(last->cell + mesh.cells.size());
-    } else if (!is_stressed_more(now, last->at)) {
-      return;
-    }
-    last->at = now;
-    const auto in_space = [](const Vec2& v) { return Vec3(v.x(), v.y(), 0); };
-    const Vec2 centre = state.position.template head<2>() + world_.origin;
-    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
-      const Vec2 u = own.displacement(static_cast<int>(i)),
-                 rate = own.rate.segment<2>(2 * static_cast<int>(i));
-      rows_.nodes[last->node + i] = {.time = now.time,
-                                     .body = now.body,
-                                     .node = static_cast<int>(i),
-                                     .place = in_space(centre + attitude.rotation * Vec2(mesh.nodes[i] + u)),
-                                     .displacement = in_space(attitude.rotation * u),
-                                     .rate = in_space(attitude.rotation * rate)};
-    }
-    for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
-      const auto [a, b, c] = mesh.cells[i];
-      const PrincipalStress stress = principal_stress(own.block->model, static_cast<int>(i), own.u);
-      rows_.cells[last->cell + i] = {.time = now.time,
-                                     .body = now.body,
-                                     .cell = static_cast<int>(i),
-                                     .a = a,
-                                     .b = b,
-                                     .c = c,
-                                     .tension = stress.greatest,
-                                     .compression = -stress.least};
-    }
+  const Deformation<D>& own = world_.bodies[body].deformation;
+  const auto& mesh = own.block->model.mesh();
+  const SeriesStress& now = rows_.stresses.back();
+  std::optional<Mesh>& last = meshes_[static_cast<std::size_t>(body)];
+  if (request_.meshes || !last) {
+    last = Mesh{now, rows_.nodes.size(), rows_.cells.size()};
+    rows_.nodes.resize(last->node + mesh.nodes.size());
+    rows_.cells.resize(last->cell + mesh.cells.size());
+  } else if (!is_stressed_more(now, last->at)) {
+    return;
+  }
+  last->at = now;
+  const auto in_space = [](const Vec<D>& v) {
+    Vec3 place = Vec3::Zero();
+    place.template head<D>() = v;
+    return place;
+  };
+  const Vec<D> centre = state.position.template head<D>() + world_.origin;
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+    const int node = static_cast<int>(i);
+    const Vec<D> u = own.displacement(node), rate = own.rate.template segment<D>(D * node);
+    rows_.nodes[last->node + i] = {.time = now.time,
+                                   .body = now.body,
+                                   .node = node,
+                                   .place = in_space(centre + attitude.rotation * Vec<D>(mesh.nodes[i] + u)),
+                                   .displacement = in_space(attitude.rotation * u),
+                                   .rate = in_space(attitude.rotation * rate)};
+  }
+  for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
+    const auto& nodes = mesh.cells[i];
+    const PrincipalStress stress = principal_stress(own.block->model, static_cast<int>(i), own.u);
+    rows_.cells[last->cell + i] = {.time = now.time,
+                                   .body = now.body,
+                                   .cell = static_cast<int>(i),
+                                   .a = nodes[0],
+                                   .b = nodes[1],
+                                   .c = nodes[2],
+                                   .d = D == 3 ? nodes[D] : -1,
+                                   .tension = stress.greatest,
+                                   .compression = -stress.least};
   }
 }
 

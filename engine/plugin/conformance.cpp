@@ -136,18 +136,29 @@ void add(Numbers& answer, const Pneumatic& ring) {
   if (ring.radial_mass) answer.push_back(*ring.radial_mass);
 }
 
-void add(Numbers& answer, const Deformable& block) {
+template <int D>
+void add(Numbers& answer, const Deformable<D>& block) {
   if (!(block.young > 0)) fail("the Young's modulus of a deformable block is not positive");
-  for (const double number :
-       {static_cast<double>(block.form), block.size.x(), block.size.y(), static_cast<double>(block.cells[0]),
-        static_cast<double>(block.cells[1]), block.radius, static_cast<double>(block.rings), block.scale,
-        block.young, block.poisson, block.alpha, block.beta, block.tensile_strength.value_or(0)}) {
+  Numbers numbers{static_cast<double>(block.form),
+                  block.radius,
+                  static_cast<double>(block.rings),
+                  block.scale,
+                  block.young,
+                  block.poisson,
+                  block.alpha,
+                  block.beta,
+                  block.tensile_strength.value_or(0)};
+  for (int k = 0; k < D; ++k) {
+    numbers.push_back(block.size[k]);
+    numbers.push_back(block.cells[k]);
+  }
+  for (const double number : numbers) {
     if (!(std::isfinite(number) && number >= 0))
       fail("a parameter of a deformable block is negative or not finite");
     answer.push_back(number);
   }
   if (!block.mesh) return;
-  for (const Vec2& node : block.mesh->nodes) answer.insert(answer.end(), node.begin(), node.end());
+  for (const Vec<D>& node : block.mesh->nodes) answer.insert(answer.end(), node.begin(), node.end());
 }
 
 template <int D>

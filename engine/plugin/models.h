@@ -26,9 +26,9 @@ namespace flyrock {
 template <int D>
 struct ShapeAnswer {
   std::vector<std::conditional_t<D == 2, Contactor2, Contactor3>> contactors;
-  OwnMass<D> own = {};                        ///< in place of what follows from the contactors
-  std::optional<Pneumatic> pneumatic = {};    ///< in 2D: the only contactor is a ring whose radius moves
-  std::optional<Deformable> deformable = {};  ///< in 2D: the contactors fill its mesh
+  OwnMass<D> own = {};                           ///< in place of what follows from the contactors
+  std::optional<Pneumatic> pneumatic = {};       ///< in 2D: the only contactor is a ring whose radius moves
+  std::optional<Deformable<D>> deformable = {};  ///< the contactors fill its mesh
 };
 
 /// `shape`: one rock. A model implements build() or build_3d(), and the engine computes mass, centre and

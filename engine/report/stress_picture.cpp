@@ -43,7 +43,7 @@ double drawn_displacement(const StressedBlock& block) {
 }
 
 std::string stress_svg(const StressedBlock& block) {
-  if (block.cells.empty()) return {};
+  if (block.cells.empty() || block.cells.front().d >= 0) return {};
   const double times = drawn_displacement(block);
   std::vector<Vec2> places;
   Frame frame;

@@ -13,7 +13,7 @@ double drawn_displacement(const StressedBlock& block);
 
 /// A self-contained SVG picture of the cells in 2D, at their nodes displaced drawn_displacement times. A
 /// darker red is a greater principal tension, up to the one that 1 % of the volume exceeds. Empty without
-/// cells.
+/// cells and in 3D.
 std::string stress_svg(const StressedBlock& block);
 
 }  // namespace flyrock

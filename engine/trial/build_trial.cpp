@@ -365,36 +365,34 @@ void TrialBuilder<D>::build_rocks(Trial<D>& trial, std::uint64_t number_of_trial
 
 /// Makes a body of `bodies` a deformable block.
 template <int D>
-void TrialBuilder<D>::deform(const BodyPlan& plan, const std::string& path, const Deformable& shape,
+void TrialBuilder<D>::deform(const BodyPlan& plan, const std::string& path, const Deformable<D>& shape,
                              double density, World<D>& world, Body<D>& body) {
-  if constexpr (D == 2) {
-    if (scenario_.method != Method::nscd)
-      throw ScenarioError(path + "shape", "is deformable, expected with `method: nscd` only");
-    if (plan.fixed || plan.driven)
-      throw ScenarioError(path + (plan.fixed ? "fixed" : "driven"),
-                          "belongs to a deformable body, expected one that forces move");
-    if (!plan.density)
-      throw ScenarioError(path + "mass", "a deformable body needs its `density` in place of its mass");
-    if (!scenario_.solver.time_step)
-      throw ScenarioError(path + "shape",
-                          "is deformable and takes steps of one length, expected a `solver.time_step`: about "
-                          "the size of a cell divided by the speed of sound sqrt(young/density)");
-    if (scenario_.body_contacts && world.deforms())
-      throw ScenarioError(path + "shape",
-                          "two deformable bodies that may meet are not possible yet; `body_contacts: off` "
-                          "keeps them apart");
-    const ElasticMaterial material{.young = shape.young,
-                                   .poisson = shape.poisson,
-                                   .density = density,
-                                   .thickness = body.volume / (pi * body.radius * body.radius),
-                                   .alpha = shape.alpha,
-                                   .beta = shape.beta};
-    at_path(path + "shape", [&] {
-      make_deformable(body,
-                      elastic_.get(shape, material, *scenario_.solver.time_step, scenario_.solver.theta),
-                      shape.tensile_strength);
-    });
-  }
+  if (scenario_.method != Method::nscd)
+    throw ScenarioError(path + "shape", "is deformable, expected with `method: nscd` only");
+  if (plan.fixed || plan.driven)
+    throw ScenarioError(path + (plan.fixed ? "fixed" : "driven"),
+                        "belongs to a deformable body, expected one that forces move");
+  if (!plan.density)
+    throw ScenarioError(path + "mass", "a deformable body needs its `density` in place of its mass");
+  if (!scenario_.solver.time_step)
+    throw ScenarioError(path + "shape",
+                        "is deformable and takes steps of one length, expected a `solver.time_step`: about "
+                        "the size of a cell divided by the speed of sound sqrt(young/density)");
+  if (scenario_.body_contacts && world.deforms())
+    throw ScenarioError(path + "shape",
+                        "two deformable bodies that may meet are not possible yet; `body_contacts: off` "
+                        "keeps them apart");
+  const ElasticMaterial material{.young = shape.young,
+                                 .poisson = shape.poisson,
+                                 .density = density,
+                                 .thickness = D == 2 ? body.volume / (pi * body.radius * body.radius) : 1,
+                                 .alpha = shape.alpha,
+                                 .beta = shape.beta};
+  at_path(path + "shape", [&] {
+    make_deformable<D>(body,
+                       elastic_.get(shape, material, *scenario_.solver.time_step, scenario_.solver.theta),
+                       shape.tensile_strength);
+  });
 }
 
 template <int D>
@@ -426,6 +424,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     } else {
       body = at_path(path + "shape",
                      [&] { return make_body(std::move(shape.contactors), density, mass, shape.own); });
+      if (shape.deformable) deform(plan, path, *shape.deformable, density, world, body);
       if (plan.turn)
         body.attitude =
             at_path(path + "orientation", [&] { return rotation_of(*plan.turn, scenario_, rock.key); }) *

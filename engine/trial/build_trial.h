@@ -125,7 +125,7 @@ class TrialBuilder {
   bool starts_alike(const Trial<D>& trial) const;
   void begin_again(Trial<D>& trial, std::uint64_t number);
   void build_bodies(Trial<D>& trial, std::uint64_t number);
-  void deform(const BodyPlan& plan, const std::string& path, const Deformable& shape, double density,
+  void deform(const BodyPlan& plan, const std::string& path, const Deformable<D>& shape, double density,
               World<D>& world, Body<D>& body);
   void build_alone(Trial<D>& trial, const RockPlan<D>& plan, Partner partner, TrialRock& rock,
                    RandomStream& where);
@@ -168,7 +168,7 @@ class TrialBuilder {
 
   const Scenario& scenario_;
   Instances instances_;
-  ElasticBlocks elastic_;
+  ElasticBlocks<D> elastic_;
   std::vector<GroupStreams> streams_;  ///< of Scenario::rocks
   /// Of Scenario::rocks, the last one: the next rock may be alike. Of a table one for each line.
   std::vector<std::vector<MadeBody<D>>> made_;

@@ -10,17 +10,18 @@
 namespace flyrock {
 
 /// The blocks that were asked for last. Of one thread (ElasticBlock).
+template <int D>
 class ElasticBlocks {
  public:
   /// Throws PluginError if the block cannot be factorised.
-  std::shared_ptr<const ElasticBlock> get(const Deformable& shape, const ElasticMaterial& material, double h,
-                                          double theta);
+  std::shared_ptr<const ElasticBlock<D>> get(const Deformable<D>& shape, const ElasticMaterial& material,
+                                             double h, double theta);
 
  private:
   struct Kept {
-    std::array<double, 15> values;
-    std::shared_ptr<const GivenMesh> mesh;
-    std::shared_ptr<const ElasticBlock> block;
+    std::vector<double> values;
+    std::shared_ptr<const GivenMesh<D>> mesh;
+    std::shared_ptr<const ElasticBlock<D>> block;
   };
   std::deque<Kept> kept_;
 };

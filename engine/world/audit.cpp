@@ -22,7 +22,8 @@ double World<D>::work_of_driven(int a, double h) const {
 
 /// Counts energy gains: the energy that the contacts of an island add in an impact or in a step of length h.
 /// In a step it should not exceed rounding plus |r| g h / 2 for each contact, because a contact may open or
-/// reverse its slip within the step.
+/// reverse its slip within the step. A node of a deformable block may also gain |r| h turn_of_node / 2: the
+/// step holds its velocity in the middle, and from there to the middle of the next one the block turns.
 template <int D>
 void World<D>::audit_energy(double h) {
   constexpr double error_of_turning = 0.1;
@@ -49,7 +50,9 @@ void World<D>::audit_energy(double h) {
     gain -= pushed * (1e-12 * (contact.before.norm() + after_[a].norm()) +
                       10 * tolerance() * problem_.contacts[a].speed_scale + 0.5 * g_ * h);
     // A node is much lighter than its body: its speed is the small difference of great ones.
-    if (deforms(contact)) gain -= 1e-12 * pushed * pushed * problem_.contacts[a].w(0, 0);
+    if (deforms(contact))
+      gain -= std::max(1e-12 * pushed * pushed * problem_.contacts[a].w(0, 0),
+                       0.5 * h * pushed * turn_of_node(contact));
   }
   for (const double gain : island_gain_)
     if (gain > 0) {

@@ -103,8 +103,8 @@ struct Body {
   Attitude<D> attitude;
   Spin w = Space<D>::no_spin();  ///< rad/s, world frame
 
-  Breathing breathing;      ///< of a pneumatic disk; of a rigid body mass 0
-  Deformation deformation;  ///< of a deformable block; of a rigid body empty
+  Breathing breathing;         ///< of a pneumatic disk; of a rigid body mass 0
+  Deformation<D> deformation;  ///< of a deformable block; of a rigid body empty
 
   Air<D> air;  ///< the air around the body
   /// m/s2, acceleration by the air in the current flight or step, and by `load`; of a driven body the given
@@ -231,13 +231,9 @@ double Body<D>::kinetic_energy() const {
 
 template <>
 void Body<2>::set_shape(const Breathing::State& state);
-/// In 3D all bodies are rigid.
+/// In 3D no radius moves.
 template <>
 inline void Body<3>::set_shape(const Breathing::State&) {}
-template <>
-void Body<2>::deform(double dt);
-template <>
-void Body<2>::place_nodes();
 
 /// Makes a dynamic body of contactors. Moves the contactors to the centre of mass and computes area, volume,
 /// mass and inertia exactly, as sums over the contactors: where two overlap, the overlap counts twice.
@@ -250,10 +246,11 @@ Body<2> make_body(std::vector<Contactor2> contactors, double density, double mas
 /// the moment of inertia is m R^2/2 of a disk and m R^2 of a hollow disk. Its thickness is that of make_body.
 void make_pneumatic(Body<2>& body, const Pneumatic& filling);
 
-/// Makes a body of one polygon a deformable block at rest: its contactors become the nodes of the surface of
-/// the mesh, points without radius. Mass, centre and inertia are those of the polygon, which are those of the
-/// mesh.
-void make_deformable(Body<2>& body, std::shared_ptr<const ElasticBlock> block,
+/// Makes a body of contactors that fill the mesh a deformable block at rest: its contactors become the nodes
+/// of the surface of the mesh, points without radius. Mass, centre and inertia stay those of the contactors,
+/// which are those of the mesh; in 3D its frame becomes that of the block (ElasticModel::rotation).
+template <int D>
+void make_deformable(Body<D>& body, std::shared_ptr<const ElasticBlock<D>> block,
                      const std::optional<double>& strength);
 
 /// The same in 3D. The body's frame becomes the principal frame, and the attitude maps it to the frame in

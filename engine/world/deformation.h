@@ -9,18 +9,20 @@
 
 namespace flyrock {
 
+template <int D>
 struct ElasticBlock;
 
 /// The displacements u of the nodes from their places in the rigid body and their rates, both in the frame of
 /// the body, M-orthogonal to its rigid motion (elastic/elastic_model.h). The frame turns with the body; what
-/// its turning does to the nodes (the centrifugal force and that of Coriolis) is left out. In 2D; of a rigid
-/// body `block` is null. SI units.
+/// its turning does to the nodes (the centrifugal force and that of Coriolis) is left out. Of a rigid body
+/// `block` is null. SI units.
 ///
 /// Energy of a block with its contacts, of which `touch` is the loss:
-///   m v.v/2 + J w^2/2 - m g.x + strain + vibration + damped + touch + settled = constant
+///   m v.v/2 + w.J w/2 - m g.x + strain + vibration + damped + touch + settled = constant
+template <int D>
 struct Deformation {
-  std::shared_ptr<const ElasticBlock> block;
-  Eigen::VectorXd u, rate;         ///< m, m/s: (x, y) of node 0, of node 1, ...
+  std::shared_ptr<const ElasticBlock<D>> block;
+  Eigen::VectorXd u, rate;         ///< m, m/s: the components of node 0, of node 1, ...
   Eigen::VectorXd start, change;   ///< the rate at the start of the step; room for a change of it
   double greatest = 0;             ///< m, no node is displaced further
   std::optional<double> strength;  ///< Pa, in tension
@@ -34,7 +36,8 @@ struct Deformation {
   double vibration_energy() const;  ///< J, kinetic, of the rates
   /// The node of the contactor with this index.
   int node_of(int contactor) const;
-  Vec2 displacement(int node) const { return u.segment<2>(2 * node); }
+  Vec<D> place(int node) const;  ///< m, displaced, in the frame of the body
+  Vec<D> displacement(int node) const { return u.template segment<D>(D * node); }
 };
 
 }  // namespace flyrock

@@ -7,7 +7,8 @@ namespace flyrock {
 namespace {
 
 /// The node of a deformable block that touches.
-int node_at(const Body<2>& body, const ShapeTouch<2>& touch) {
+template <int D>
+int node_at(const Body<D>& body, const ShapeTouch<D>& touch) {
   return body.deformation.node_of(contactor_of(touch.feature));
 }
 
@@ -15,11 +16,10 @@ int node_at(const Body<2>& body, const ShapeTouch<2>& touch) {
 
 template <int D>
 Vec<D> shape_velocity(const Body<D>& body, const ShapeTouch<D>& touch) {
-  if constexpr (D == 2)
-    if (body.deforms()) {
-      const Vec2 rate = body.deformation.rate.template segment<2>(2 * node_at(body, touch));
-      return touch.side * (touch.frame.transpose() * (body.attitude.rotation * rate));
-    }
+  if (body.deforms()) {
+    const Vec<D> rate = body.deformation.rate.template segment<D>(D * node_at(body, touch));
+    return touch.side * (touch.frame.transpose() * (body.attitude.rotation * rate));
+  }
   Vec<D> velocity = Vec<D>::Zero();
   velocity[0] = body.breathing.side * body.breathing.now.rate;
   return velocity;
@@ -29,53 +29,58 @@ template <int D>
 Eigen::Matrix<double, D, D> shape_mobility(const Body<D>& body, const ShapeTouch<D>& a,
                                            const ShapeTouch<D>& b, double theta_h) {
   Eigen::Matrix<double, D, D> mobility = Eigen::Matrix<double, D, D>::Zero();
-  if constexpr (D == 2)
-    if (body.deforms()) {
-      const auto own = body.deformation.block->step.mobility(node_at(body, a), node_at(body, b));
-      const Rotation2& r = body.attitude.rotation;
-      for (int k = 0; k < 2; ++k)
-        mobility.col(k) =
-            a.side * b.side * (a.frame.transpose() * (r * Vec2(own * r.inverse(Vec2(b.frame.col(k))))));
-      return mobility;
-    }
+  if (body.deforms()) {
+    const auto own = body.deformation.block->step.mobility(node_at(body, a), node_at(body, b));
+    const auto& r = body.attitude.rotation;
+    for (int k = 0; k < D; ++k)
+      mobility.col(k) =
+          a.side * b.side * (a.frame.transpose() * (r * Vec<D>(own * r.inverse(Vec<D>(b.frame.col(k))))));
+    return mobility;
+  }
   mobility(0, 0) = body.breathing.inverse_mass(theta_h);  // side^2 = 1
   return mobility;
 }
 
 template <int D>
 void push_shape(Body<D>& body, const ShapeTouch<D>& touch, const Vec<D>& impulse, double theta_h) {
-  if constexpr (D == 2)
-    if (body.deforms()) {
-      if (impulse.isZero(0)) return;
-      const Vec2 own = body.attitude.rotation.inverse(Vec2(touch.side * (touch.frame * impulse)));
-      const auto& column = body.deformation.block->step.column(node_at(body, touch));
-      body.deformation.rate += own.x() * column.col(0);
-      body.deformation.rate += own.y() * column.col(1);
-      return;
-    }
+  if (body.deforms()) {
+    if (impulse.isZero(0)) return;
+    const Vec<D> own = body.attitude.rotation.inverse(Vec<D>(touch.side * (touch.frame * impulse)));
+    const auto& column = body.deformation.block->step.column(node_at(body, touch));
+    for (int k = 0; k < D; ++k) body.deformation.rate += own[k] * column.col(k);
+    return;
+  }
   body.breathing.now.rate += body.breathing.inverse_mass(theta_h) * body.breathing.side * impulse[0];
 }
 
 /// A deformable block stands at u + (1 - theta) h u' here, where contacts are detected.
 template <int D>
 void accelerate_shape(Body<D>& body, double h, double theta) {
-  if constexpr (D == 2)
-    if (body.deforms()) {
-      Deformation& own = body.deformation;
-      own.start = own.rate;
-      own.u -= (1 - theta) * h * own.rate;
-      own.block->step.free_change(own.u, own.rate, own.change);
-      own.u += (1 - theta) * h * own.rate;
-      own.rate += own.change;
-      return;
-    }
+  if (body.deforms()) {
+    Deformation<D>& own = body.deformation;
+    own.start = own.rate;
+    own.u -= (1 - theta) * h * own.rate;
+    own.block->step.free_change(own.u, own.rate, own.change);
+    own.u += (1 - theta) * h * own.rate;
+    own.rate += own.change;
+    return;
+  }
   body.breathing.now.rate = body.breathing.free_rate(body.spin_speed(), h, theta);
 }
 
 template <int D>
+void take_back_pushes(Body<D>& body, const Breathing::State& start, double h, double theta) {
+  if (body.deforms()) {
+    body.deformation.rate = body.deformation.start + body.deformation.change;
+    return;
+  }
+  body.breathing.now.rate = start.rate;
+  accelerate_shape(body, h, theta);
+}
+
+template <int D>
 void move_shape(Body<D>& body, double dt) {
-  if constexpr (D == 2)
-    if (body.deforms()) return body.deform(dt);
+  if (body.deforms()) return body.deform(dt);
   body.swell(dt * body.breathing.now.rate);
 }
 
@@ -90,6 +95,7 @@ double potential_energy_of_shape(const Body<D>& body) {
                                                       const ShapeTouch<D>&, double);        \
   template void push_shape(Body<D>&, const ShapeTouch<D>&, const Vec<D>&, double);          \
   template void accelerate_shape(Body<D>&, double, double);                                 \
+  template void take_back_pushes(Body<D>&, const Breathing::State&, double, double);        \
   template void move_shape(Body<D>&, double);                                               \
   template double potential_energy_of_shape(const Body<D>&)
 FLYROCK_INSTANTIATE(2);

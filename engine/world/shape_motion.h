@@ -42,6 +42,11 @@ void push_shape(Body<D>& body, const ShapeTouch<D>& touch, const Vec<D>& impulse
 template <int D>
 void accelerate_shape(Body<D>& body, double h, double theta);
 
+/// Gives the shape the velocity again that accelerate_shape gave it in this step, which began with `start`,
+/// without the impulses since.
+template <int D>
+void take_back_pushes(Body<D>& body, const Breathing::State& start, double h, double theta);
+
 /// Moves the shape with its velocity for dt [s].
 template <int D>
 void move_shape(Body<D>& body, double dt);

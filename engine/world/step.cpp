@@ -117,7 +117,10 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
     for (int again = 0; again < most_pushes && pushed_otherwise(h); ++again) solve_with_found_pushes(h);
     for (int again = 0; again < most_turns && !links.keeps_step(bodies, starts_); ++again)
       solve_with_found_pushes(h);
-    if (deforms_) measure_after(h);  // in the frame of the block in the middle of the step, which turns on
+    if (deforms_) {  // in the frame of the block in the middle of the step, which turns on
+      measure_after(h);
+      account_turns(h);
+    }
     drift(theta * h);
     if (!deforms_) measure_after(h);
     if (chooses && refusals++ < most_refusals) {

@@ -410,6 +410,8 @@ class World {
   // deforming.cpp: deformable blocks
   bool deforms(const Contact& contact) const;
   void account_deformations(double h);
+  double turn_of_node(const Contact& contact) const;
+  void account_turns(double h);
   double slack(int body) const { return deforms_ ? bodies[body].deformation.greatest : 0; }
 
   // choose_step.cpp: the length of a step by its error
@@ -432,6 +434,7 @@ class World {
   // pushes.cpp: the pushes of contacts on spins, which the gyroscopic moment of a step feels
   typename Space<D>::Spin foreseen_push(std::size_t body, double h) const;
   typename Space<D>::Spin push_of_contacts(std::size_t body) const;
+  double lost_by_turning(std::size_t i, double h) const;
   bool pushed_otherwise(double h) const;
   void solve_step(double h, double warm);
   void solve_with_found_pushes(double h);

@@ -34,8 +34,9 @@ Body<2> disk_of_cells() {
   }
   Body<2> body = make_body({Contactor2::polygon(std::move(corners))}, density, 0, 1);
   const ElasticMaterial material{.young = young, .poisson = poisson, .density = density, .beta = 2e-3};
-  make_deformable(body, std::make_shared<const ElasticBlock>(ringed_disk(radius, rings), material, h, theta),
-                  std::nullopt);
+  make_deformable<2>(body,
+                     std::make_shared<const ElasticBlock<2>>(ringed_disk(radius, rings), material, h, theta),
+                     std::nullopt);
   body.move_to({0, 0}, 0);
   body.inertia *= 1e9;
   return body;
@@ -68,7 +69,7 @@ Pressed press(double approach) {
   }
   for (int n = 0; n < standing; ++n) world.step(h, false);
 
-  const Deformation& own = world.bodies[0].deformation;
+  const Deformation<2>& own = world.bodies[0].deformation;
   Pressed pressed;
   for (const auto& contact : world.contacts()) {
     if (contact.antagonist != 2) continue;

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "elastic/elastic_mesh.h"
 #include "program.h"
 
 using namespace flyrock::test;
@@ -75,6 +76,53 @@ std::string small(const std::string& nodes, int node_count, const std::string& e
          type + " " + std::to_string(count) + "\n" + elements + "$EndElements\n";
 }
 
+/// A cube of this form falls flat on the floor.
+std::string cube_of(const std::string& form) {
+  return R"(flyrock: 1
+dimension: 3
+method: nscd
+gravity: 0 m/s2
+terrain: { type: plane, material: floor }
+materials: { floor: { friction: { type: coulomb, mu: 0 } } }
+bodies:
+  - name: block
+    shape: { type: deformable, )" +
+         form + R"(, young: 50 GPa, poisson: 0.25 }
+    density: 2700 kg/m3
+    position: [0, 0, 0.5]
+    velocity: [0, 0, -1]
+    material: floor
+solver: { time_step: 0.00005809475 s }
+stop: { time: 0.002 s, speed: 0 }
+output: { series: { every: 0.1 ms } }
+)";
+}
+
+/// The cube that `form: box` makes of bricks, moved, in cm, with the triangles of its surface.
+std::string bricked_cube(int bricks) {
+  const flyrock::ElasticMesh<3> mesh = flyrock::bricked_box(flyrock::Vec3::Ones(), {bricks, bricks, bricks});
+  std::string tags, nodes, elements;
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+    tags += std::to_string(i + 1) + "\n";
+    const flyrock::Vec3 at = 100 * mesh.nodes[i] + flyrock::Vec3(30, 40, 50);
+    nodes += std::to_string(at.x()) + " " + std::to_string(at.y()) + " " + std::to_string(at.z()) + "\n";
+  }
+  int tag = 0;
+  const auto add = [&](const auto& corners) {
+    elements += std::to_string(++tag);
+    for (const int node : corners) elements += " " + std::to_string(node + 1);
+    elements += "\n";
+  };
+  elements = "2 1 2 " + std::to_string(mesh.sides.size()) + "\n";
+  for (const auto& side : mesh.sides) add(side);
+  elements += "3 1 4 " + std::to_string(mesh.cells.size()) + "\n";
+  for (const auto& cell : mesh.cells) add(cell);
+  const std::string count = std::to_string(mesh.nodes.size()), all = std::to_string(tag);
+  return "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 " + count + " 1 " + count + "\n3 1 0 " + count +
+         "\n" + tags + nodes + "$EndNodes\n$Elements\n2 " + all + " 1 " + all + "\n" + elements +
+         "$EndElements\n";
+}
+
 const std::string square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
 }  // namespace
@@ -91,6 +139,57 @@ TEST_CASE("a block of a mesh of Gmsh rebounds as the same mesh that flyrock make
   const Output check = call(folder, "check s.yaml");
   CHECK(check.out.find("10 elements of the mesh of `block` are no triangles of 3 nodes, and are ignored") !=
         std::string::npos);
+}
+
+TEST_CASE("a block of tetrahedra of Gmsh rebounds as the same mesh that flyrock makes") {
+  const Folder folder;
+  folder.write("block.msh", bricked_cube(4));
+  folder.write("s.yaml", cube_of("form: mesh, mesh: block.msh, scale: 0.01"));
+  const Output run = call(folder,
+                          "run s.yaml -o r --set 'expect=[{ measure: body.block.final.vz, equals: 0.743727, "
+                          "tolerance: 1e-5 }, { measure: body.block.tension_1pct.max, above: 1 }]'");
+  INFO(run.out << run.err);
+  CHECK(run.code == 0);
+  const Output check = call(folder, "check s.yaml");
+  CHECK(check.out.find("192 elements of the mesh of `block` are no tetrahedra of 4 nodes, and are ignored") !=
+        std::string::npos);
+}
+
+TEST_CASE("a bad mesh of tetrahedra is one line with file, line and what was expected") {
+  struct Bad {
+    std::string mesh, says;
+  };
+  const std::string corners = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n", two = corners + "1 1 1\n";
+  const std::vector<Bad> all{
+      {small(two, 5, "1 1 2 3 4\n2 2 4 3 5\n", 2, "4"),
+       "block.msh:22: tetrahedron 2 is inverted or has no volume, expected its first 3 nodes "
+       "counter-clockwise as "
+       "seen from the fourth"},
+      {small(two, 5, "1 1 2 3 4\n2 2 3 4 9\n", 2, "4"),
+       "block.msh:22: tetrahedron 2 has the node 9, which `$Nodes` has not"},
+      {small(two, 5, "1 1 2 3 4\n", 1, "4"), "block.msh:16: node 5 belongs to no tetrahedron"},
+      {small(two, 5, "1 1 2 3 4\n2 1 2 3 5\n", 2, "4"),
+       "block.msh:22: tetrahedron 2 overlaps another one: both have the same side"},
+      {small(corners + "0.2 0.2 0\n0.3 0.2 0\n0.2 0.3 0\n0.2 0.2 -1\n", 8, "1 1 2 3 4\n2 5 7 6 8\n", 2, "4"),
+       "block.msh:19: node 5 hangs on a side of tetrahedron 1, expected tetrahedra that share whole sides"},
+      {small(corners + "5 0 0\n6 0 0\n5 1 0\n5 0 1\n", 8, "1 1 2 3 4\n2 5 6 7 8\n", 2, "4"),
+       "block.msh:28: tetrahedron 2 shares no side with the others: the mesh has several pieces, expected "
+       "one"},
+      {small(square, 4, "1 1 2 3\n2 1 3 4\n", 2),
+       "has no tetrahedra of 4 nodes, and 2 other elements, expected a mesh of tetrahedra in 3D"},
+      {"$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 2501 1 2501\n",
+       "block.msh:5: the mesh has 2501 nodes, expected at most 2500"},
+  };
+  const Folder folder;
+  folder.write("s.yaml", cube_of("form: mesh, mesh: block.msh"));
+  for (const Bad& bad : all) {
+    folder.write("block.msh", bad.mesh);
+    const Output check = call(folder, "check s.yaml");
+    INFO(bad.says << "\n" << check.err);
+    CHECK(check.code == 2);
+    CHECK(check.err.find("s.yaml:9:5: error: bodies.0.shape") != std::string::npos);
+    CHECK(check.err.find(bad.says) != std::string::npos);
+  }
 }
 
 TEST_CASE("a bad mesh is one line with file, line and what was expected") {

@@ -23,7 +23,7 @@ const std::map<std::string, std::set<std::string>>& may_see() {
     add("collision", {"plugin"});
     add("solver", {"plugin"});
     add("record", {"math"});
-    add("elastic", {"math"});
+    add("elastic", {"geometry"});
     add("world", {"collision", "solver", "elastic", "record"});
     add("flight", {"world"});
     add("document", {"units"});

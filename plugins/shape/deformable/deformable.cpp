@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "geometry/contactor.h"
+#include "geometry/contactor3.h"
+#include "geometry/mesh.h"
 #include "plugin/models.h"
 #include "plugins/factories.h"
 #include "plugins/shape/deformable/gmsh_file.h"
@@ -14,12 +16,11 @@ namespace flyrock::plugins {
 
 namespace {
 
-/// A rectangle, disk or given mesh of finite elements. The contactors fill it: the polygon about it, or the
-/// triangles of a given mesh.
+/// A rectangle, disk, box or given mesh of finite elements. The contactors fill it.
 class DeformableShape : public ShapeModel {
  public:
   explicit DeformableShape(Params& params)
-      : form_(form_of(params.text("form"))),
+      : form_(form_of(params)),
         size_(params.vector_slot("size")),
         cells_(params.slot("cells")),
         radius_(params.slot("radius")),
@@ -30,7 +31,6 @@ class DeformableShape : public ShapeModel {
         alpha_(params.slot("damping.alpha")),
         beta_(params.slot("damping.beta")),
         strength_(params.slot("tensile_strength")) {
-    params.require_dimension(2);
     const auto needs = [&](bool given, const char* name, bool wanted) {
       if (given == wanted) return;
       throw PluginError(fmt::format("plugin deformable: `{}` {} `form: {}`", name,
@@ -38,19 +38,52 @@ class DeformableShape : public ShapeModel {
                                     params.text("form")));
     };
     const std::string file = params.text("mesh");
-    needs(size_ >= 0, "size", form_ == Deformable::Form::rectangle);
-    needs(cells_ >= 0, "cells", form_ == Deformable::Form::rectangle);
-    needs(radius_ >= 0, "radius", form_ == Deformable::Form::disk);
-    needs(rings_ >= 0, "rings", form_ == Deformable::Form::disk);
-    needs(params.given("mesh"), "mesh", form_ == Deformable::Form::mesh);
-    if (form_ == Deformable::Form::mesh) mesh_ = std::make_shared<const GivenMesh>(read_gmsh(file));
+    const bool has_sides = form_ == DeformableForm::rectangle || form_ == DeformableForm::box;
+    needs(size_ >= 0, "size", has_sides);
+    needs(cells_ >= 0, "cells", has_sides);
+    needs(radius_ >= 0, "radius", form_ == DeformableForm::disk);
+    needs(rings_ >= 0, "rings", form_ == DeformableForm::disk);
+    needs(params.given("mesh"), "mesh", form_ == DeformableForm::mesh);
+    if (form_ != DeformableForm::mesh) return;
+    if (params.dimension() == 2)
+      mesh_ = std::make_shared<const GivenMesh<2>>(read_gmsh<2>(file));
+    else
+      solid_mesh_ = std::make_shared<const GivenMesh<3>>(read_gmsh<3>(file));
   }
 
   std::vector<Contactor2> build(Values values, RandomStream&) const override {
-    const Deformable block = block_of(values);
-    if (form_ == Deformable::Form::mesh) return triangles(block);
+    return contactors(block_of<2>(values));
+  }
+  std::vector<Contactor3> build_3d(Values values, RandomStream&) const override {
+    return contactors(block_of<3>(values));
+  }
+  ShapeAnswer<2> shape(Values values, RandomStream&) const override { return answer(block_of<2>(values)); }
+  ShapeAnswer<3> shape_3d(Values values, RandomStream&) const override { return answer(block_of<3>(values)); }
+
+ private:
+  static DeformableForm form_of(Params& params) {
+    const std::string name = params.text("form");
+    if (name == "mesh") return DeformableForm::mesh;
+    const bool in_plane = params.dimension() == 2;
+    if (in_plane == (name == "box"))
+      throw PluginError(fmt::format("plugin deformable: `form: {}` belongs to {}, expected {}", name,
+                                    in_plane ? "3D" : "2D",
+                                    in_plane ? "`rectangle`, `disk` or `mesh`" : "`box` or `mesh`"));
+    return name == "disk" ? DeformableForm::disk : in_plane ? DeformableForm::rectangle : DeformableForm::box;
+  }
+
+  template <int D>
+  static ShapeAnswer<D> answer(const Deformable<D>& block) {
+    ShapeAnswer<D> answer{contactors(block)};
+    answer.deformable = block;
+    return answer;
+  }
+
+  /// The polygon about it, or the triangles of a given mesh.
+  static std::vector<Contactor2> contactors(const Deformable<2>& block) {
+    if (block.form == DeformableForm::mesh) return triangles(block);
     std::vector<Vec2> corners;
-    if (form_ == Deformable::Form::disk) {
+    if (block.form == DeformableForm::disk) {
       for (int i = 0; i < 6 * block.rings; ++i) {
         const double angle = 2 * pi * i / (6 * block.rings);
         corners.emplace_back(block.radius * Vec2(std::cos(angle), std::sin(angle)));
@@ -61,21 +94,16 @@ class DeformableShape : public ShapeModel {
     }
     return {Contactor2::polygon(std::move(corners))};
   }
-
-  ShapeAnswer<2> shape(Values values, RandomStream& rng) const override {
-    ShapeAnswer<2> answer{build(values, rng)};
-    answer.deformable = block_of(values);
-    return answer;
+  /// The box, or the surface of a given mesh.
+  static std::vector<Contactor3> contactors(const Deformable<3>& block) {
+    if (block.form != DeformableForm::mesh) return {Contactor3::box(block.size)};
+    Mesh surface;
+    for (const Vec3& node : block.mesh->nodes) surface.vertices.push_back(block.scale * node);
+    surface.triangles = block.mesh->sides;
+    return {Contactor3::cloud(surface)};
   }
 
- private:
-  static Deformable::Form form_of(const std::string& name) {
-    return name == "disk"   ? Deformable::Form::disk
-           : name == "mesh" ? Deformable::Form::mesh
-                            : Deformable::Form::rectangle;
-  }
-
-  static std::vector<Contactor2> triangles(const Deformable& block) {
+  static std::vector<Contactor2> triangles(const Deformable<2>& block) {
     std::vector<Contactor2> list;
     for (const auto& [a, b, c] : block.mesh->cells) {
       const auto& nodes = block.mesh->nodes;
@@ -86,44 +114,46 @@ class DeformableShape : public ShapeModel {
     return list;
   }
 
-  Deformable block_of(Values values) const {
-    Deformable block{.form = form_,
-                     .mesh = mesh_,
-                     .scale = values[scale_],
-                     .young = values[young_],
-                     .poisson = values[poisson_],
-                     .alpha = alpha_ >= 0 ? values[alpha_] : 0,
-                     .beta = beta_ >= 0 ? values[beta_] : 0,
-                     .tensile_strength = {}};
+  template <int D>
+  Deformable<D> block_of(Values values) const {
+    Deformable<D> block;
+    block.form = form_;
+    block.scale = values[scale_];
+    block.young = values[young_];
+    block.poisson = values[poisson_];
+    if (alpha_ >= 0) block.alpha = values[alpha_];
+    if (beta_ >= 0) block.beta = values[beta_];
+    if constexpr (D == 2)
+      block.mesh = mesh_;
+    else
+      block.mesh = solid_mesh_;
     if (strength_ >= 0) block.tensile_strength = values[strength_];
-    double nodes = 0;
-    if (form_ == Deformable::Form::disk) {
+    if (form_ == DeformableForm::disk) {
       block.radius = values[radius_];
-      nodes = 1 + 3 * values[rings_] * (values[rings_] + 1);
-      check_nodes(nodes, "rings");
+      check_nodes<D>(1 + 3 * values[rings_] * (values[rings_] + 1), "rings");
       block.rings = static_cast<int>(values[rings_]);
-    } else if (form_ == Deformable::Form::rectangle) {
-      block.size = Vec2(values[size_], values[size_ + 1]);
-      const double shorter = values[cells_], cell = block.size.minCoeff() / shorter;
-      const double columns = std::round(block.size.x() / cell), rows = std::round(block.size.y() / cell);
-      nodes = (columns + 1) * (rows + 1) + columns * rows;
-      check_nodes(nodes, "cells");
-      block.cells = {static_cast<int>(columns), static_cast<int>(rows)};
+    } else if (form_ != DeformableForm::mesh) {
+      for (int k = 0; k < D; ++k) block.size[k] = values[size_ + k];
+      const double cell = block.size.minCoeff() / values[cells_];
+      const Vec<D> along = (block.size / cell).array().round();
+      const double corners = (along.array() + 1).prod();
+      check_nodes<D>(D == 2 ? corners + along.prod() : corners, "cells");  // in 2D also the middles
+      for (int k = 0; k < D; ++k) block.cells[static_cast<std::size_t>(k)] = static_cast<int>(along[k]);
     }
     return block;
   }
 
+  template <int D>
   static void check_nodes(double nodes, const char* name) {
-    constexpr double most = 10000;
-    if (nodes > most)
+    if (nodes > most_mesh_nodes<D>)
       throw PluginError(
-          fmt::format("plugin deformable: the mesh has {:.0f} nodes, expected at most {:.0f}: "
-                      "fewer `{}`",
-                      nodes, most, name));
+          fmt::format("plugin deformable: the mesh has {:.0f} nodes, expected at most {}: fewer `{}`", nodes,
+                      most_mesh_nodes<D>, name));
   }
 
-  Deformable::Form form_;
-  std::shared_ptr<const GivenMesh> mesh_;
+  DeformableForm form_;
+  std::shared_ptr<const GivenMesh<2>> mesh_;        ///< of the form `mesh` in 2D
+  std::shared_ptr<const GivenMesh<3>> solid_mesh_;  ///< and in 3D
   int size_, cells_, radius_, rings_, scale_, young_, poisson_, alpha_, beta_, strength_;
 };
 

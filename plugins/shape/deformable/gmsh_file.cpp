@@ -16,9 +16,6 @@ namespace flyrock::plugins {
 
 namespace {
 
-constexpr std::size_t most_nodes = 10'000;
-constexpr int triangle_type = 2;  // of Gmsh: 3 nodes
-
 /// A file line by line; errors name the line that was read last.
 class GmshLines {
  public:
@@ -68,13 +65,39 @@ class GmshLines {
   int number_ = 0;
 };
 
+/// How the elements of a mesh are called, and the order of the nodes of one.
+template <int D>
+struct ElementWords;
+template <>
+struct ElementWords<2> {
+  static constexpr int type = 2;  // of Gmsh: 3 nodes
+  static constexpr const char *one = "triangle", *many = "triangles", *content = "area",
+                              *order = "its nodes counter-clockwise";
+};
+template <>
+struct ElementWords<3> {
+  static constexpr int type = 4;  // of Gmsh: 4 nodes
+  static constexpr const char *one = "tetrahedron", *many = "tetrahedra", *content = "volume",
+                              *order = "its first 3 nodes counter-clockwise as seen from the fourth";
+};
+
 /// The mesh with what errors name: tags and lines of the file.
+template <int D>
 struct GmshDraft {
-  GivenMesh mesh;
+  GivenMesh<D> mesh;
   std::unordered_map<std::int64_t, int> node_of_tag;
   std::vector<std::int64_t> node_tags, cell_tags;
   std::vector<int> node_lines, cell_lines;
   std::vector<double> heights;  ///< z of the nodes
+
+  const Vec<D>& place(int node) const { return mesh.nodes[static_cast<std::size_t>(node)]; }
+  [[noreturn]] void fail_at_node(const GmshLines& lines, int node, const std::string& what) const {
+    const auto i = static_cast<std::size_t>(node);
+    lines.fail(fmt::format("node {} {}", node_tags[i], what), node_lines[i]);
+  }
+  [[noreturn]] void fail_at_cell(const GmshLines& lines, std::size_t cell, const std::string& what) const {
+    lines.fail(fmt::format("{} {} {}", ElementWords<D>::one, cell_tags[cell], what), cell_lines[cell]);
+  }
 };
 
 void read_format(GmshLines& lines) {
@@ -88,10 +111,11 @@ void read_format(GmshLines& lines) {
   if (format[1] != 0) lines.fail("is binary, expected ASCII: gmsh FILE -save -format msh41 -bin 0");
 }
 
-void read_nodes(GmshLines& lines, GmshDraft& draft) {
+template <int D>
+void read_nodes(GmshLines& lines, GmshDraft<D>& draft) {
   const auto head = lines.numbers(4, "numbers of blocks and nodes, least and greatest tag");
-  if (head[1] > static_cast<double>(most_nodes))
-    lines.fail(fmt::format("the mesh has {:.0f} nodes, expected at most {}", head[1], most_nodes));
+  if (head[1] > most_mesh_nodes<D>)
+    lines.fail(fmt::format("the mesh has {:.0f} nodes, expected at most {}", head[1], most_mesh_nodes<D>));
   for (int block = 0; block < head[0]; ++block) {
     const auto of_block = lines.numbers(4, "a block: dimension, tag, parametric, number of nodes");
     const std::size_t first = draft.node_tags.size();
@@ -106,39 +130,49 @@ void read_nodes(GmshLines& lines, GmshDraft& draft) {
     }
     for (std::size_t i = 0; i < count; ++i) {
       const auto place = lines.numbers(3, "the place of a node: x y z");
-      draft.mesh.nodes.emplace_back(place[0], place[1]);
+      draft.mesh.nodes.push_back(Vec3(place[0], place[1], place[2]).head<D>());
       draft.heights.push_back(place[2]);
       draft.node_lines.push_back(lines.number());
     }
   }
 }
 
-void read_elements(GmshLines& lines, GmshDraft& draft) {
+/// D! times the volume of a cell.
+double determinant(const GmshDraft<2>& draft, const std::array<int, 3>& cell) {
+  const Vec2& a = draft.place(cell[0]);
+  return cross(draft.place(cell[1]) - a, draft.place(cell[2]) - a);
+}
+double determinant(const GmshDraft<3>& draft, const std::array<int, 4>& cell) {
+  const Vec3& a = draft.place(cell[0]);
+  return (draft.place(cell[1]) - a).cross(draft.place(cell[2]) - a).dot(draft.place(cell[3]) - a);
+}
+
+template <int D>
+void read_elements(GmshLines& lines, GmshDraft<D>& draft) {
+  using Words = ElementWords<D>;
   const auto head = lines.numbers(4, "numbers of blocks and elements, least and greatest tag");
   for (int block = 0; block < head[0]; ++block) {
     const auto of_block = lines.numbers(4, "a block: dimension, tag, type, number of elements");
     for (int i = 0; i < of_block[3]; ++i) {
-      if (of_block[2] != triangle_type) {
+      if (of_block[2] != Words::type) {
         lines.numbers(2, "an element: its tag and nodes");
         ++draft.mesh.ignored;
         continue;
       }
-      const auto element = lines.numbers(4, "a triangle: its tag and 3 nodes");
+      const auto element =
+          lines.numbers(D + 2, fmt::format("a {}: its tag and {} nodes", Words::one, D + 1).c_str());
       const auto tag = static_cast<std::int64_t>(element[0]);
-      std::array<int, 3> cell{};
-      for (std::size_t k = 0; k < 3; ++k) {
+      std::array<int, D + 1> cell{};
+      for (std::size_t k = 0; k <= D; ++k) {
         const auto node = draft.node_of_tag.find(static_cast<std::int64_t>(element[k + 1]));
         if (node == draft.node_of_tag.end())
-          lines.fail(
-              fmt::format("triangle {} has the node {:.0f}, which `$Nodes` has not", tag, element[k + 1]));
+          lines.fail(fmt::format("{} {} has the node {:.0f}, which `$Nodes` has not", Words::one, tag,
+                                 element[k + 1]));
         cell[k] = node->second;
       }
-      const Vec2 &a = draft.mesh.nodes[static_cast<std::size_t>(cell[0])],
-                 &b = draft.mesh.nodes[static_cast<std::size_t>(cell[1])],
-                 &c = draft.mesh.nodes[static_cast<std::size_t>(cell[2])];
-      if (!(cross(b - a, c - a) > 0))
-        lines.fail(
-            fmt::format("triangle {} is inverted or has no area, expected its nodes counter-clockwise", tag));
+      if (!(determinant(draft, cell) > 0))
+        lines.fail(fmt::format("{} {} is inverted or has no {}, expected {}", Words::one, tag, Words::content,
+                               Words::order));
       draft.mesh.cells.push_back(cell);
       draft.cell_tags.push_back(tag);
       draft.cell_lines.push_back(lines.number());
@@ -146,99 +180,170 @@ void read_elements(GmshLines& lines, GmshDraft& draft) {
   }
 }
 
-void check_nodes(const GmshLines& lines, const GmshDraft& draft) {
+template <int D>
+void check_nodes(const GmshLines& lines, const GmshDraft<D>& draft) {
   constexpr double flat = 1e-9;  // of the extent
   std::vector<bool> used(draft.mesh.nodes.size(), false);
-  Vec2 low = Vec2::Constant(infinite), high = -low;
+  Vec<D> low = Vec<D>::Constant(infinite), high = -low;
   for (const auto& cell : draft.mesh.cells)
     for (const int node : cell) {
       used[static_cast<std::size_t>(node)] = true;
-      low = low.cwiseMin(draft.mesh.nodes[static_cast<std::size_t>(node)]);
-      high = high.cwiseMax(draft.mesh.nodes[static_cast<std::size_t>(node)]);
+      low = low.cwiseMin(draft.place(node));
+      high = high.cwiseMax(draft.place(node));
     }
   for (std::size_t i = 0; i < used.size(); ++i) {
-    if (!used[i])
-      lines.fail(fmt::format("node {} belongs to no triangle", draft.node_tags[i]), draft.node_lines[i]);
-    if (std::abs(draft.heights[i] - draft.heights[0]) > flat * (high - low).norm())
-      lines.fail(fmt::format("node {} has z = {:g}, expected {:g} as the others: a mesh in the plane",
-                             draft.node_tags[i], draft.heights[i], draft.heights[0]),
-                 draft.node_lines[i]);
+    const int node = static_cast<int>(i);
+    if (!used[i]) draft.fail_at_node(lines, node, fmt::format("belongs to no {}", ElementWords<D>::one));
+    if (D == 2 && std::abs(draft.heights[i] - draft.heights[0]) > flat * (high - low).norm())
+      draft.fail_at_node(lines, node,
+                         fmt::format("has z = {:g}, expected {:g} as the others: a mesh in the plane",
+                                     draft.heights[i], draft.heights[0]));
   }
 }
 
-/// A side that only one triangle has, from node to node.
+/// The sides of a cell, each in an order that shows its outside.
+std::array<std::array<int, 2>, 3> sides_of(const std::array<int, 3>& cell) {
+  const auto& [a, b, c] = cell;
+  return {{{a, b}, {b, c}, {c, a}}};
+}
+std::array<std::array<int, 3>, 4> sides_of(const std::array<int, 4>& cell) {
+  const auto& [a, b, c, d] = cell;
+  return {{{a, c, b}, {a, b, d}, {b, c, d}, {c, a, d}}};
+}
+/// The same side with its least node first.
+template <std::size_t N>
+std::array<int, N> from_least(std::array<int, N> side) {
+  std::rotate(side.begin(), std::min_element(side.begin(), side.end()), side.end());
+  return side;
+}
+/// The cell at each side, by its nodes from_least.
+template <int D>
+using CellAtSide = std::map<std::array<int, D>, std::size_t>;
+
+template <int D>
+CellAtSide<D> cells_at_sides(const GmshLines& lines, const GmshDraft<D>& draft) {
+  CellAtSide<D> cells;
+  for (std::size_t i = 0; i < draft.mesh.cells.size(); ++i)
+    for (const auto& side : sides_of(draft.mesh.cells[i]))
+      if (!cells.try_emplace(D == 2 ? side : from_least(side), i).second)
+        draft.fail_at_cell(lines, i, "overlaps another one: both have the same side");
+  return cells;
+}
+
+/// A side that only one cell has.
+template <int D>
 struct OuterSide {
-  int start, end;
+  std::array<int, D> nodes;
   std::size_t cell;
 };
 
-std::vector<OuterSide> outer_sides(const GmshLines& lines, const GmshDraft& draft) {
-  std::map<std::pair<int, int>, std::size_t> sides;
-  const auto& cells = draft.mesh.cells;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (!sides.try_emplace({cells[i][k], cells[i][(k + 1) % 3]}, i).second)
-        lines.fail(
-            fmt::format("triangle {} overlaps another one: both have the same side", draft.cell_tags[i]),
-            draft.cell_lines[i]);
-  std::vector<OuterSide> outer;
-  for (const auto& [side, cell] : sides)
-    if (!sides.contains({side.second, side.first})) outer.push_back({side.first, side.second, cell});
+template <int D>
+std::vector<OuterSide<D>> outer_sides(const CellAtSide<D>& cells) {
+  std::vector<OuterSide<D>> outer;
+  for (const auto& [side, cell] : cells) {
+    auto other = side;
+    std::reverse(other.begin(), other.end());
+    if (!cells.contains(D == 2 ? other : from_least(other))) outer.push_back({side, cell});
+  }
   return outer;
 }
 
-/// A node within a side of a triangle is not held by it.
-void check_hanging(const GmshLines& lines, const GmshDraft& draft, const std::vector<OuterSide>& sides) {
+/// Whether a place lies within a side, its ends and edges among it.
+bool is_within(const GmshDraft<2>& draft, const std::array<int, 2>& side, const Vec2& at) {
   constexpr double near = 1e-9;  // of the side
-  const auto place = [&](int node) -> const Vec2& {
-    return draft.mesh.nodes[static_cast<std::size_t>(node)];
-  };
-  for (const OuterSide& side : sides)
-    for (const OuterSide& other : sides) {
-      const int node = other.start;
-      if (node == side.start || node == side.end) continue;
-      const Vec2 edge = place(side.end) - place(side.start), to = place(node) - place(side.start);
-      const double along = to.dot(edge) / edge.squaredNorm();
-      if (along <= 0 || along >= 1 || (to - along * edge).norm() > near * edge.norm()) continue;
-      lines.fail(
-          fmt::format("node {} hangs on a side of triangle {}, expected triangles that share whole sides",
-                      draft.node_tags[static_cast<std::size_t>(node)], draft.cell_tags[side.cell]),
-          draft.node_lines[static_cast<std::size_t>(node)]);
-    }
+  const Vec2& start = draft.place(side[0]);
+  const Vec2 edge = draft.place(side[1]) - start, to = at - start;
+  const double along = to.dot(edge) / edge.squaredNorm();
+  return along > 0 && along < 1 && (to - along * edge).norm() <= near * edge.norm();
+}
+bool is_within(const GmshDraft<3>& draft, const std::array<int, 3>& side, const Vec3& at) {
+  constexpr double near = 1e-9;  // of the side
+  const Vec3& a = draft.place(side[0]);
+  const Vec3 area = (draft.place(side[1]) - a).cross(draft.place(side[2]) - a);
+  const double size = std::sqrt(area.norm());
+  if (std::abs(area.normalized().dot(at - a)) > near * size) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3& start = draft.place(side[k]);
+    const Vec3 edge = draft.place(side[(k + 1) % 3]) - start;
+    if (edge.cross(at - start).dot(area.normalized()) < -near * size * edge.norm()) return false;
+  }
+  return true;
 }
 
-/// The nodes of the only outline in their order. Other outlines are other pieces or holes.
-std::vector<int> outline_of(const GmshLines& lines, const GmshDraft& draft,
-                            const std::vector<OuterSide>& sides) {
-  std::map<int, const OuterSide*> from;
-  for (const OuterSide& side : sides)
-    if (!from.try_emplace(side.start, &side).second)
+/// A node within a side of a cell is not held by it.
+template <int D>
+void check_hanging(const GmshLines& lines, const GmshDraft<D>& draft,
+                   const std::vector<OuterSide<D>>& sides) {
+  for (const OuterSide<D>& side : sides)
+    for (const OuterSide<D>& other : sides)
+      for (const int node : other.nodes)
+        if (std::find(side.nodes.begin(), side.nodes.end(), node) == side.nodes.end() &&
+            is_within(draft, side.nodes, draft.place(node)))
+          draft.fail_at_node(
+              lines, node,
+              fmt::format("hangs on a side of {} {}, expected {} that share whole sides",
+                          ElementWords<D>::one, draft.cell_tags[side.cell], ElementWords<D>::many));
+}
+
+/// The sides of the only outline in their order. Other outlines are other pieces or holes.
+std::vector<std::array<int, 2>> surface_of(const GmshLines& lines, const GmshDraft<2>& draft,
+                                           const CellAtSide<2>&, const std::vector<OuterSide<2>>& sides) {
+  std::map<int, const OuterSide<2>*> from;
+  for (const OuterSide<2>& side : sides)
+    if (!from.try_emplace(side.nodes[0], &side).second) {
+      const auto node = static_cast<std::size_t>(side.nodes[0]);
       lines.fail(fmt::format("at node {} parts of the mesh touch in a point only, expected one piece",
-                             draft.node_tags[static_cast<std::size_t>(side.start)]),
-                 draft.node_lines[static_cast<std::size_t>(side.start)]);
-  std::vector<int> nodes;
-  int node = sides.front().start;
+                             draft.node_tags[node]),
+                 draft.node_lines[node]);
+    }
+  std::vector<std::array<int, 2>> outline;
+  int node = sides.front().nodes[0];
   do {
-    nodes.push_back(node);
-    const OuterSide* side = from.at(node);
+    outline.push_back(from.at(node)->nodes);
     from.erase(node);
-    node = side->end;
-  } while (node != nodes.front());
-  if (from.empty()) return nodes;
-  const std::size_t cell = from.begin()->second->cell;
-  lines.fail(
-      fmt::format("triangle {} is at another outline: the mesh has several pieces or a hole, expected one "
-                  "piece without holes",
-                  draft.cell_tags[cell]),
-      draft.cell_lines[cell]);
+    node = outline.back()[1];
+  } while (node != sides.front().nodes[0]);
+  if (!from.empty())
+    draft.fail_at_cell(lines, from.begin()->second->cell,
+                       "is at another outline: the mesh has several pieces or a hole, expected one piece "
+                       "without holes");
+  return outline;
+}
+
+/// All outer sides of a mesh whose cells hang together by sides.
+std::vector<std::array<int, 3>> surface_of(const GmshLines& lines, const GmshDraft<3>& draft,
+                                           const CellAtSide<3>& cells,
+                                           const std::vector<OuterSide<3>>& sides) {
+  std::vector<bool> reached(draft.mesh.cells.size(), false);
+  std::vector<std::size_t> next{0};
+  reached[0] = true;
+  while (!next.empty()) {
+    const std::size_t cell = next.back();
+    next.pop_back();
+    for (auto side : sides_of(draft.mesh.cells[cell])) {
+      std::reverse(side.begin(), side.end());
+      const auto other = cells.find(from_least(side));
+      if (other == cells.end() || reached[other->second]) continue;
+      reached[other->second] = true;
+      next.push_back(other->second);
+    }
+  }
+  const auto apart = std::find(reached.begin(), reached.end(), false);
+  if (apart != reached.end())
+    draft.fail_at_cell(lines, static_cast<std::size_t>(apart - reached.begin()),
+                       "shares no side with the others: the mesh has several pieces, expected one");
+  std::vector<std::array<int, 3>> surface;
+  for (const OuterSide<3>& side : sides) surface.push_back(side.nodes);
+  return surface;
 }
 
 }  // namespace
 
-GivenMesh read_gmsh(const std::string& path) {
+template <int D>
+GivenMesh<D> read_gmsh(const std::string& path) {
   GmshLines lines(path);
   read_format(lines);
-  GmshDraft draft;
+  GmshDraft<D> draft;
   bool has_nodes = false, has_elements = false;
   while (lines.next()) {
     if (lines.text() == "$Nodes") {
@@ -252,14 +357,17 @@ GivenMesh read_gmsh(const std::string& path) {
   }
   if (!has_elements) lines.fail("the file ends without `$Elements`");
   if (draft.mesh.cells.empty())
-    lines.fail(
-        fmt::format("has no triangles of 3 nodes, and {} other elements, expected a mesh of triangles in 2D",
-                    draft.mesh.ignored));
+    lines.fail(fmt::format("has no {0} of {1} nodes, and {2} other elements, expected a mesh of {0} in {3}D",
+                           ElementWords<D>::many, D + 1, draft.mesh.ignored, D));
   check_nodes(lines, draft);
-  const std::vector<OuterSide> sides = outer_sides(lines, draft);
+  const CellAtSide<D> cells = cells_at_sides(lines, draft);
+  const std::vector<OuterSide<D>> sides = outer_sides<D>(cells);
   check_hanging(lines, draft, sides);
-  draft.mesh.outline = outline_of(lines, draft, sides);
+  draft.mesh.sides = surface_of(lines, draft, cells, sides);
   return std::move(draft.mesh);
 }
+
+template GivenMesh<2> read_gmsh(const std::string&);
+template GivenMesh<3> read_gmsh(const std::string&);
 
 }  // namespace flyrock::plugins

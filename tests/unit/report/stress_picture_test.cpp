@@ -42,6 +42,9 @@ TEST_CASE("a picture has each cell in the colour of its tension, and the factor 
   CHECK(svg.find("0 to 5 MPa in tension") != std::string::npos);
   CHECK(svg.find("displacements 500 times") != std::string::npos);
   CHECK(stress_svg({}).empty());
+  StressedBlock solid = stretched_square();
+  solid.cells.front().d = 3;  // a tetrahedron: no picture in 3D
+  CHECK(stress_svg(solid).empty());
 }
 
 TEST_CASE("of the rows of a trial the picture takes the instant when a body is stressed most") {

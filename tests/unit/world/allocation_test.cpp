@@ -96,13 +96,33 @@ TEST_CASE("the step of a deformable block allocates nothing once its nodes have 
   Body<2> block =
       make_body({Contactor2::polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})}, density, 0, 1);
   const ElasticMaterial rock{.young = young, .poisson = 0.25, .density = density, .beta = 1e-5};
-  make_deformable(block,
-                  std::make_shared<const ElasticBlock>(crossed_rectangle({1, 1}, {6, 6}), rock, h, 0.5),
-                  std::nullopt);
+  make_deformable<2>(block,
+                     std::make_shared<const ElasticBlock<2>>(crossed_rectangle({1, 1}, {6, 6}), rock, h, 0.5),
+                     std::nullopt);
   block.move_to({0, 0.5}, 0);
   bench.add(std::move(block));
   for (int n = 0; n < 1000; ++n) bench.world.step(h, false);
   REQUIRE(bench.world.contacts().size() == 7);
+  const long before = blocks_of_memory;
+  for (int n = 0; n < 1000; ++n) bench.world.step(h, false);
+  CHECK(blocks_of_memory == before);
+}
+
+TEST_CASE("the step of a deformable box allocates nothing once its nodes have touched") {
+  constexpr double h = 2e-5;
+  WorldSettings settings;
+  settings.time_step = h;
+  Material material(0, 0.5);
+  Bench3 bench(mesh_of([](double, double) { return 0; }, 4, 10), material, settings);
+  Body<3> block = make_body({Contactor3::box({1, 1, 0.5})}, 2700, 0);
+  const ElasticMaterial rock{.young = 50e9, .poisson = 0.25, .density = 2700, .beta = 1e-5};
+  make_deformable<3>(
+      block, std::make_shared<const ElasticBlock<3>>(bricked_box({1, 1, 0.5}, {4, 4, 2}), rock, h, 0.5),
+      std::nullopt);
+  block.x = {0.1, 0.2, 0.25};
+  bench.add(std::move(block));
+  for (int n = 0; n < 1000; ++n) bench.world.step(h, false);
+  REQUIRE(bench.world.contacts().size() >= 25);
   const long before = blocks_of_memory;
   for (int n = 0; n < 1000; ++n) bench.world.step(h, false);
   CHECK(blocks_of_memory == before);
