@@ -26,6 +26,7 @@
 #include "trial/load_tables.h"
 #include "trial/make_forest.h"
 #include "trial/scenario_error.h"
+#include "trial/shape_code.h"
 
 namespace flyrock {
 
@@ -106,6 +107,11 @@ TerrainPicture picture(const std::shared_ptr<const Terrain2>& terrain, const Vec
 }
 TerrainPicture picture(const std::shared_ptr<const Terrain3>& terrain, const Vec3& origin) {
   return {terrain->parts(), Profile{}, terrain, origin};
+}
+
+template <int D>
+LastState last_state_of(const Body<D>& body, const BodyHistory& history) {
+  return {body.mass, shape_code(body.contactors), history.last, quaternion_of(body.attitude)};
 }
 
 }  // namespace
@@ -467,6 +473,9 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
     for (const TrajectoryPoint& point : history.trajectory) out.trajectories.push_back({trial, index, point});
     if (!history.trajectory.empty())
       for (const SurfaceCorner& corner : surface_of(body)) out.shapes.push_back({trial, index, corner});
+    const bool is_rigid = !body.deformation.moves() && !body.breathing.moves();
+    if (!scenario_.bodies.empty() && scenario_.method == Method::nscd && is_rigid && !is_fault(row.reason))
+      out.last_states.push_back({trial, index, rock.group, last_state_of(body, history)});
   }
   out.rocks.push_back(row);
 }
