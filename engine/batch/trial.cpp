@@ -252,10 +252,13 @@ namespace {
 
 /// The bodies of a world that are not dynamic, before it runs.
 template <int D>
-void add_fixtures(std::uint64_t trial, const World<D>& world, TrialRecords& out) {
-  for (const Body<D>& body : world.bodies) {
+void add_fixtures(std::uint64_t trial, const World<D>& world, const LoadTables& loads, TrialRecords& out) {
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const Body<D>& body = world.bodies[i];
     if (body.kind == BodyKind::dynamic) continue;
-    out.fixtures.push_back({trial, fixture_of(world, body)});
+    const OverTime* velocity = i < loads.of_body.size() ? loads.of_body[i] : nullptr;
+    for (const Fixture& piece : pieces_of(fixture_of(world, body), velocity))
+      out.fixtures.push_back({trial, piece});
     for (const SurfaceCorner& corner : surface_of(body))
       out.fixture_shapes.push_back({trial, {body.group, corner}});
   }
@@ -339,7 +342,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
       series = series_of(scenario_, trial, static_cast<int>(w), rows);
       settings.series = &series;
     }
-    if (stores) add_fixtures(number, world, out);
+    if (stores) add_fixtures(number, world, loads, out);
     if (stores) add_links(number, trial, world, out);
     if (explainer) explainer->watch(world, names_of(scenario_, trial, static_cast<int>(w)), settings);
     histories[w].resize(world.bodies.size());  // also of a world that does not settle
