@@ -109,6 +109,11 @@ solves.plot("time_s", "sweeps", style="o-", legend=False, xlabel="time in s", yl
         "The forces at the foot of the thick arch: half the weight and the thrust.",
         """foot = table("SELECT time_s, sum(rn_N) AS weight, sum(abs(rt_N)) AS thrust FROM series_contacts WHERE a = 'thick_1' AND b = 'terrain' AND step_s > 0 GROUP BY time_s")
 foot.plot("time_s", ["weight", "thrust"], xlabel="time in s", ylabel="force in N");"""),
+    "stack": (
+        "The heights of the top bricks.",
+        """path = table('SELECT "group", trajectories.time_s, y_m FROM trajectories JOIN rocks USING (point, trial, rock) ORDER BY trajectories.time_s')
+for name in ("careful_1", "bold_1"):
+    path[path["group"] == name].set_index("time_s").y_m.plot(label=name, legend=True, xlabel="time in s", ylabel="height in m");"""),
     "drum": (
         "The slope over time: it rises with the drum, and avalanches take it down.",
         """path = table("SELECT time_s, avg(x_m) AS x, avg(y_m) AS y FROM series_bodies WHERE body != 'drum' GROUP BY time_s")
@@ -272,7 +277,7 @@ def main():
         return check(options.check)
     options.folder.mkdir(parents=True, exist_ok=True)
     for lab in options.labs or labs():
-        ending = "lua" if lab in ("arch", "drum", "order_and_cost", "own_law", "waves") else "yaml"
+        ending = "lua" if lab in ("arch", "drum", "order_and_cost", "own_law", "stack", "waves") else "yaml"
         file = options.folder / f"{lab}.ipynb"
         file.write_text(json.dumps(notebook(lab, ending), indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
         print(file)

@@ -56,4 +56,9 @@ void check_checksums(const std::filesystem::path& folder) {
         fmt::format("{} is damaged: it is longer than the run wrote it", (folder / checksums_name).string()));
 }
 
+void check_checksum(const std::filesystem::path& folder, const char* name) {
+  const std::string text = read_file(folder / checksums_name);
+  if (text.find(line_of(folder, name)) == std::string::npos) refuse(folder / name);
+}
+
 }  // namespace flyrock

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "batch/checksums.h"
 #include "batch/clearance_check.h"
 #include "batch/confined.h"
 #include "batch/greatest_throw.h"
@@ -75,6 +76,18 @@ std::vector<SourceHash> hashes_of(const std::map<std::string, std::string>& file
   return hashes;
 }
 
+/// The file of the run in which bodies start is what the run wrote.
+void check_start(const Value& root, const fs::path& folder, Diagnostics& diagnostics) {
+  const std::optional<Node> start = Node::root(root).find("start");
+  if (!start) return;
+  const Node from = *start->find("from");
+  try {
+    check_checksum(folder / *from.value->text(), last_states_name);
+  } catch (const FileError& error) {
+    from.error(diagnostics, error.what());
+  }
+}
+
 std::string hash_of(const LoadedScenario& loaded) {
   std::string text = FLYROCK_ENGINE_VERSION "\n" + to_json(loaded.plan.resolved) + '\n';
   for (const auto* list : {&loaded.sources, &loaded.files})
@@ -126,6 +139,7 @@ std::optional<LoadedScenario> load_scenario(const std::string& path, const Overr
   // answers.
   check_clearances(root, loaded.plan, loaded.plan.points.front().trials_of_run() >= loaded.own_trials,
                    diagnostics);
+  if (!before) check_start(root, folder, diagnostics);
   if (!before) {  // these build and fly rocks, once is enough
     warn_of_weights(root, loaded.plan, diagnostics);
     warn_of_short_throws(root, loaded.plan, diagnostics);

@@ -26,6 +26,7 @@
 #include "trial/load_tables.h"
 #include "trial/make_forest.h"
 #include "trial/scenario_error.h"
+#include "trial/shape_code.h"
 
 namespace flyrock {
 
@@ -106,6 +107,11 @@ TerrainPicture picture(const std::shared_ptr<const Terrain2>& terrain, const Vec
 }
 TerrainPicture picture(const std::shared_ptr<const Terrain3>& terrain, const Vec3& origin) {
   return {terrain->parts(), Profile{}, terrain, origin};
+}
+
+template <int D>
+LastState last_state_of(const Body<D>& body, const BodyHistory& history) {
+  return {body.mass, shape_code(body.contactors), history.last, quaternion_of(body.attitude)};
 }
 
 }  // namespace
@@ -246,10 +252,13 @@ namespace {
 
 /// The bodies of a world that are not dynamic, before it runs.
 template <int D>
-void add_fixtures(std::uint64_t trial, const World<D>& world, TrialRecords& out) {
-  for (const Body<D>& body : world.bodies) {
+void add_fixtures(std::uint64_t trial, const World<D>& world, const LoadTables& loads, TrialRecords& out) {
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const Body<D>& body = world.bodies[i];
     if (body.kind == BodyKind::dynamic) continue;
-    out.fixtures.push_back({trial, fixture_of(world, body)});
+    const OverTime* velocity = i < loads.of_body.size() ? loads.of_body[i] : nullptr;
+    for (const Fixture& piece : pieces_of(fixture_of(world, body), velocity))
+      out.fixtures.push_back({trial, piece});
     for (const SurfaceCorner& corner : surface_of(body))
       out.fixture_shapes.push_back({trial, {body.group, corner}});
   }
@@ -333,7 +342,7 @@ void TrialRunner::Trials<D>::run(std::uint64_t number, TrialRecords& out) {
       series = series_of(scenario_, trial, static_cast<int>(w), rows);
       settings.series = &series;
     }
-    if (stores) add_fixtures(number, world, out);
+    if (stores) add_fixtures(number, world, loads, out);
     if (stores) add_links(number, trial, world, out);
     if (explainer) explainer->watch(world, names_of(scenario_, trial, static_cast<int>(w)), settings);
     histories[w].resize(world.bodies.size());  // also of a world that does not settle
@@ -467,6 +476,9 @@ void TrialRunner::Trials<D>::record(std::uint64_t trial, int index, const TrialR
     for (const TrajectoryPoint& point : history.trajectory) out.trajectories.push_back({trial, index, point});
     if (!history.trajectory.empty())
       for (const SurfaceCorner& corner : surface_of(body)) out.shapes.push_back({trial, index, corner});
+    const bool is_rigid = !body.deformation.moves() && !body.breathing.moves();
+    if (!scenario_.bodies.empty() && scenario_.method == Method::nscd && is_rigid && !is_fault(row.reason))
+      out.last_states.push_back({trial, index, rock.group, last_state_of(body, history)});
   }
   out.rocks.push_back(row);
 }

@@ -514,6 +514,11 @@ Json DocumentSchema::document() {
   add("observed", false, [&] { return observed(); });
   plain("solver");
   plain("settle");
+  add("start", false, [&] {
+    Keys start = section("start");
+    start.add("bodies", array_of(SchemaValues::some_text()));
+    return start.object();
+  });
   add("stop", true, [&] { return section("stop").object(); });
   add("output", false, [&] { return output(); });
   add("sweep", false, [&] {

@@ -81,6 +81,7 @@ void print_program(const std::vector<CommandDoc>& commands) {
       ".TP\n.B manifest.json\nof a result folder: the resolved scenario, versions, hashes, the seed\n"
       ".TP\n.B summary.json\nthe statistics of each sweep point\n"
       ".TP\n.B rocks.csv\na row for each rock\n"
+      ".TP\n.B last_states.csv\nthe last state of each of `bodies`, where another run may start\n"
       ".TP\n.B results.db\nall tables, as SQLite\n"
       ".TP\n.B report.html\nthe page, one file that works offline\n"
       ".SH SEE ALSO\n");

@@ -21,8 +21,8 @@ namespace {
 
 constexpr const char* manifest_name = "manifest.json";
 constexpr const char* run_log_name = "run.log";  ///< written last
-constexpr std::array result_names = {run_log_name, checksums_name, "summary.json",
-                                     "rocks.csv",  "results.db",   "report.html"};
+constexpr std::array result_names = {run_log_name, checksums_name,   "summary.json", "rocks.csv",
+                                     "results.db", last_states_name, "report.html"};
 
 /// Whether a run has finished in the folder.
 bool stands(const fs::path& folder) {

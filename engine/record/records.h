@@ -7,6 +7,7 @@
 
 #include "record/block_row.h"
 #include "record/envelope.h"
+#include "record/last_state.h"
 #include "record/maps.h"
 #include "record/material_use.h"
 #include "record/observe.h"
@@ -88,6 +89,11 @@ struct TreeRecord : OfRock {
   TreeHit hit;
 };
 
+struct LastStateRecord : OfRock {
+  int group = 0;  ///< as in its RockRecord
+  LastState last;
+};
+
 /// A row of a trial: BlockRow, BlockRegionRow, BlockCorner, Fixture, FixtureCorner, SeriesBody,
 /// SeriesContact, SeriesSolve, SeriesStress, SeriesNode or SeriesCell.
 template <class Row>
@@ -121,6 +127,7 @@ struct TrialRecords {
   std::vector<GateRecord> gates;
   std::vector<BarrierRecord> barriers;
   std::vector<TreeRecord> trees;
+  std::vector<LastStateRecord> last_states;  ///< of `bodies` scenarios
   std::vector<TrialRow<BlockRow>> blocks;
   std::vector<TrialRow<BlockRegionRow>> block_regions;
   std::vector<TrialRow<BlockCorner>> block_corners;

@@ -22,7 +22,8 @@ struct SurfaceCorner {
 
 /// A body whose motion is prescribed: at rest, or, at the time t after the start,
 ///   x = x_0 + v t + a t^2 / 2,  R = exp(t w) R_0
-/// in the frame of the world, with the velocity v and the spin w of `start`.
+/// in the frame of the world, with the velocity v and the spin w of `start`. A body whose velocity changes
+/// over time is several of them, each from its start until that of the next one.
 struct Fixture {
   std::string body;
   BodyState start;

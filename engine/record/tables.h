@@ -465,6 +465,19 @@ void visit_trees(Visit&& visit) {
   of_hit(Column{.name = "height_m", .unit = "m"}, &T::height);
 }
 
+/// Columns of last_states.csv after the point. What it holds is also read back by them.
+template <class Visit>
+void visit_last_states(Visit&& visit) {
+  using R = LastStateRecord;
+  using S = LastState;
+  visit(Column{.name = "body", .names = NamesOf::groups}, &R::group);
+  const auto of_last = within(visit, &R::last);
+  of_last(Column{.name = "mass_kg", .unit = "kg"}, &S::mass);
+  of_last(Column{.name = "shape"}, &S::shape);
+  visit_state(within(of_last, &S::state));
+  visit_turn(within(of_last, &S::turn));
+}
+
 /// What the rows of a table belong to. It gives their first columns: trial, or trial and rock.
 enum class RowOwner { itself, rock, trial };
 
@@ -491,6 +504,8 @@ void visit_tables(Records& records, See&& see) {
   see(Table{"trajectories", Part::whole, rock, "trajectory"}, records.trajectories,
       [](auto&& visit) { visit_trajectories(visit); });
   see(Table{"shapes", Part::whole, rock, "shape"}, records.shapes, [](auto&& visit) { visit_shapes(visit); });
+  see(Table{"last_states", Part::whole, rock}, records.last_states,
+      [](auto&& visit) { visit_last_states(visit); });
   see(Table{"blocks", Part::brief, trial}, records.blocks, [](auto&& visit) { visit_blocks(visit); });
   see(Table{"block_regions", Part::brief, trial}, records.block_regions,
       [](auto&& visit) { visit_block_regions(visit); });

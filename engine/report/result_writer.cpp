@@ -10,6 +10,7 @@
 #include "report/motion_data.h"
 #include "report/tables.h"
 #include "results/cell_size.h"
+#include "scenario/last_states.h"
 #include "trial/make_forest.h"
 
 namespace flyrock {
@@ -18,6 +19,7 @@ ResultWriter::ResultWriter(const std::filesystem::path& folder, const LoadedScen
     : folder_(folder),
       plan_(scenario.plan),
       csv_(folder / "rocks.csv"),
+      last_states_(folder / last_states_name),
       database_(folder / "results.db", plan_),
       tally_(plan_),
       report_(scenario) {
@@ -30,6 +32,7 @@ void ResultWriter::begin(const TrialRecords& first) {
   weighted_ = std::any_of(plan_.points.begin(), plan_.points.end(), gives) ||
               std::any_of(first.rocks.begin(), first.rocks.end(), has);
   csv_.write(rocks_csv_header(plan_, weighted_));
+  last_states_.write(last_states_csv_header(plan_));
   database_.begin(weighted_);
   begun_ = true;
 }
@@ -40,6 +43,7 @@ void ResultWriter::add(int point, const TrialRecords& chunk) {
   const TrialRecords first = all ? TrialRecords() : first_rows(point, chunk);
   const TrialRecords& shown = all ? chunk : first;
   csv_.write(rocks_csv_rows(plan_, point, shown.rocks, weighted_));
+  last_states_.write(last_states_csv_rows(plan_, point, shown.last_states));
   database_.add(point, shown);
   tally_.add(point, chunk);
   report_.add(point, chunk, shown);
@@ -92,6 +96,7 @@ Results ResultWriter::finish(const std::vector<Rows>& rows, const RunFacts& fact
   // Runs in parallel, because the database is the largest file and writing it takes a while.
   std::future<void> database = beside([&] { database_.finish(results, grounds, stored); });
   csv_.commit();
+  last_states_.commit();
   write_file(folder_ / "summary.json", summary_json(plan_, results));
   const bool of_bodies = !plan_.points.front().bodies.empty();
   if (of_bodies) {

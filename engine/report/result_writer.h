@@ -1,5 +1,6 @@
 #pragma once
-// Writes the files of a result from its chunks: rocks.csv, results.db, summary.json and report.html.
+// Writes the files of a result from its chunks: rocks.csv, last_states.csv, results.db, summary.json and
+// report.html.
 
 #include <filesystem>
 #include <vector>
@@ -41,7 +42,7 @@ class ResultWriter {
   bool begun_ = false;
   bool weighted_ = false;  ///< the rocks have weights
   const Plan& plan_;
-  FileWriter csv_;
+  FileWriter csv_, last_states_;
   ResultDatabase database_;
   ResultTally tally_;
   ReportData report_;

@@ -61,7 +61,7 @@ std::vector<SurfaceCorner> stored_corners(const SqliteReader& database, const St
 
 std::vector<StoredFixture> stored_fixtures(const SqliteReader& database,
                                            const std::vector<StoredPath>& paths) {
-  constexpr int pieces = 250;  // of the path of a driven body
+  constexpr int most_moments = 250;  // of the path of a driven body
   std::vector<StoredFixture> fixtures;
   if (paths.empty()) return fixtures;
   const StoredPath& first = paths.front();
@@ -79,19 +79,30 @@ std::vector<StoredFixture> stored_fixtures(const SqliteReader& database,
   const auto vector = [&](int column) {
     return Vec3(row.real(column), row.real(column + 1), row.real(column + 2));
   };
+  std::vector<std::pair<std::string, std::vector<PrescribedMotion>>> motions;  // of each body, in pieces
   while (row.next()) {
-    const PrescribedMotion motion{.place = vector(2),
-                                  .velocity = vector(5),
-                                  .acceleration = vector(8),
-                                  .spin = vector(11),
-                                  .time = row.real(1),
-                                  .angle = row.real(14),
-                                  .turn = {row.real(15), row.real(16), row.real(17), row.real(18)}};
-    StoredFixture fixture{{first.point, first.trial, -1, row.text(0), 0, 0, {}}, {}};
-    const int count = motion.moves() && end > motion.time ? pieces : 0;
-    for (int i = 0; i <= count; ++i)
-      fixture.path.moments.push_back(motion.at(motion.time + (end - motion.time) * i / std::max(count, 1)));
-    fixture.corners = corners[row.text(0)];
+    if (motions.empty() || motions.back().first != row.text(0)) motions.push_back({row.text(0), {}});
+    motions.back().second.push_back({.place = vector(2),
+                                     .velocity = vector(5),
+                                     .acceleration = vector(8),
+                                     .spin = vector(11),
+                                     .time = row.real(1),
+                                     .angle = row.real(14),
+                                     .turn = {row.real(15), row.real(16), row.real(17), row.real(18)}});
+  }
+  for (const auto& [body, pieces] : motions) {
+    StoredFixture fixture{{first.point, first.trial, -1, body, 0, 0, {}}, corners[body]};
+    const double start = pieces.front().time;
+    const bool moves =
+        std::any_of(pieces.begin(), pieces.end(), [](const auto& piece) { return piece.moves(); });
+    const int count = moves && end > start ? most_moments : 0;
+    for (int i = 0; i <= count; ++i) {
+      const double time = start + (end - start) * i / std::max(count, 1);
+      const auto next =
+          std::upper_bound(pieces.begin(), pieces.end(), time,
+                           [](double t, const PrescribedMotion& piece) { return t < piece.time; });
+      fixture.path.moments.push_back((next - 1)->at(time));
+    }
     fixtures.push_back(std::move(fixture));
   }
   return fixtures;

@@ -42,6 +42,37 @@ struct AppendCell {
   }
 };
 
+/// The point, then the columns that `visit_columns` visits.
+template <class VisitColumns>
+std::string csv_header(const TableContent& content, VisitColumns visit_columns) {
+  std::string header = "point";
+  visit_columns([&](const Column& column, auto) {
+    if (is_in_csv(column, content)) (header += ',') += column.name;
+  });
+  return header + '\n';
+}
+
+template <class Row, class VisitColumns>
+std::string csv_rows(const Scenario& scenario, int point, const std::vector<Row>& rows,
+                     const TableContent& content, VisitColumns visit_columns) {
+  const RecordNames names(scenario);
+  std::string csv;
+  for (const Row& row : rows) {
+    csv += std::to_string(point);
+    visit_columns([&](const Column& column, auto get) {
+      if (is_in_csv(column, content)) shown_value(column, member_of(row, get), names, AppendCell{csv});
+    });
+    csv += '\n';
+  }
+  return csv;
+}
+
+constexpr auto rocks_columns = [](auto&& visit) { visit_rocks(visit); };
+constexpr auto last_states_columns = [](auto&& visit) {
+  visit(Column{.name = "trial"}, &LastStateRecord::trial);
+  visit_last_states(visit);
+};
+
 /// The arguments of Lua files by name.
 Json arguments_data(const std::vector<LuaArgument>& arguments) {
   Json data = Json::object();
@@ -53,27 +84,21 @@ Json arguments_data(const std::vector<LuaArgument>& arguments) {
 }  // namespace
 
 std::string rocks_csv_header(const Plan& plan, bool weighted) {
-  std::string header = "point";
-  const TableContent content = content_with(plan.points.front(), weighted);
-  visit_rocks([&](const Column& column, auto) {
-    if (is_in_csv(column, content)) (header += ',') += column.name;
-  });
-  return header + '\n';
+  return csv_header(content_with(plan.points.front(), weighted), rocks_columns);
 }
 
 std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRecord>& rocks, bool weighted) {
   const Scenario& scenario = plan.points[static_cast<std::size_t>(point)];
-  const RecordNames names(scenario);
-  const TableContent content = content_with(scenario, weighted);
-  std::string csv;
-  for (const RockRecord& rock : rocks) {
-    csv += std::to_string(point);
-    visit_rocks([&](const Column& column, auto get) {
-      if (is_in_csv(column, content)) shown_value(column, member_of(rock, get), names, AppendCell{csv});
-    });
-    csv += '\n';
-  }
-  return csv;
+  return csv_rows(scenario, point, rocks, content_with(scenario, weighted), rocks_columns);
+}
+
+std::string last_states_csv_header(const Plan& plan) {
+  return csv_header(content_of(plan.points.front()), last_states_columns);
+}
+
+std::string last_states_csv_rows(const Plan& plan, int point, const std::vector<LastStateRecord>& states) {
+  const Scenario& scenario = plan.points[static_cast<std::size_t>(point)];
+  return csv_rows(scenario, point, states, content_of(scenario), last_states_columns);
 }
 
 std::string summary_json(const Plan& plan, const Results& results) {

@@ -14,7 +14,7 @@ struct Plan;
 
 /// The version of the layout of a result folder and its database. It is raised if an older flyrock would
 /// misread a new folder, or this flyrock an older folder.
-inline constexpr int result_format = 16;
+inline constexpr int result_format = 17;
 
 /// One row for each rock, in the order of point, trial and rock. Numbers are the shortest decimals that read
 /// back as the same double; a missing number is an empty field; censored is 0 or 1. `weighted`: the rocks
@@ -22,6 +22,10 @@ inline constexpr int result_format = 16;
 std::string rocks_csv_header(const Plan& plan, bool weighted = false);
 std::string rocks_csv_rows(const Plan& plan, int point, const std::vector<RockRecord>& rocks,
                            bool weighted = false);
+
+/// The last state of each body that moves: last_states.csv, in the same form.
+std::string last_states_csv_header(const Plan& plan);
+std::string last_states_csv_rows(const Plan& plan, int point, const std::vector<LastStateRecord>& states);
 
 /// Statistics of each point, expectations, solver quality, warnings. Holds no path, file name or hash.
 std::string summary_json(const Plan& plan, const Results& results);

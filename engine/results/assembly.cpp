@@ -21,7 +21,7 @@ void each_part(BodyState& to, const BodyState& from, Use use) {
 
 std::vector<bool> moving_bodies(const Scenario& scenario) {
   std::vector<bool> moving;
-  for (const BodyPlan& body : scenario.bodies) moving.push_back(!body.fixed && !body.driven);
+  for (const BodyPlan& body : scenario.bodies) moving.push_back(body.is_moved());
   return moving;
 }
 

@@ -79,6 +79,7 @@ class DocumentDecoder {
       scenario_.settle = decode_settle(context_, *settle);
       check_settle(*settle);
     }
+    if (const auto start = root_.find("start")) start_bodies(*start);
     if (const auto stop = root_.find("stop")) scenario_.stop = decode_stop(context_, *stop);
     scenario_.output = decode_output(context_, *root_.find("output"), names_for_series());
     if (scenario_.observed && !scenario_.output.rocks)
@@ -159,6 +160,16 @@ class DocumentDecoder {
       settle.error(context_.diagnostics, "needs `bodies`, or `rock_contacts: on`");
   }
 
+  /// Bodies start where others ended.
+  void start_bodies(const Node& start) {
+    if (scenario_.method != Method::nscd)
+      start.error(context_.diagnostics, "needs the method `nscd`");
+    else if (!root_.find("bodies"))
+      start.error(context_.diagnostics, "needs `bodies`, the scenario has none");
+    else
+      decode_start(context_, start, scenario_.bodies);
+  }
+
   static constexpr const char* table_of_points = "changes over time, which needs the method `nscd`";
 
   /// Points are under loads that do not change.
@@ -217,9 +228,8 @@ class DocumentDecoder {
     if (bodies) {
       scenario_.bodies = decode_bodies(context_, *bodies, scenario_.materials);
       check_bodies_of_points(*bodies);
-      auto is_free = [](const BodyPlan& body) { return !body.fixed && !body.driven; };
       check_materials(*bodies, scenario_.bodies, 1, [&](const BodyPlan& a, const BodyPlan& b) {
-        return scenario_.method == Method::nscd && scenario_.body_contacts && (is_free(a) || is_free(b));
+        return scenario_.method == Method::nscd && scenario_.body_contacts && (a.is_moved() || b.is_moved());
       });
     }
   }

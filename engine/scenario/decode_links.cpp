@@ -10,8 +10,6 @@ namespace flyrock {
 
 namespace {
 
-bool is_moved(const BodyPlan& body) { return !body.fixed && !body.driven; }
-
 /// A place or direction in the dimension of the scenario.
 Vec3 vector_of(const Section& section, std::string_view name) {
   Vec3 vector = Vec3::Zero();
@@ -77,7 +75,7 @@ class LinkDecoder {
     }
     link_.a = found[0];
     link_.b = found[1];
-    const auto moves = [&](int i) { return i >= 0 && is_moved(bodies_[static_cast<std::size_t>(i)]); };
+    const auto moves = [&](int i) { return i >= 0 && bodies_[static_cast<std::size_t>(i)].is_moved(); };
     if (link_.a >= 0 && link_.a == link_.b)
       between->error(context_.diagnostics, "links a body to itself, expected two");
     else if (!moves(link_.a) && !moves(link_.b))

@@ -116,6 +116,8 @@ AirPlan decode_air(DecodeContext& context, const Node& node);
 SolverPlan decode_solver(DecodeContext& context, const Node& node);
 StopPlan decode_stop(DecodeContext& context, const Node& node);
 SettlePlan decode_settle(DecodeContext& context, const Node& node);
+/// Gives bodies the states of another run.
+void decode_start(DecodeContext& context, const Node& node, std::vector<BodyPlan>& bodies);
 /// `names`: of the bodies or of the groups of rocks; none if they have errors.
 OutputPlan decode_output(DecodeContext& context, const Node& node, const std::vector<std::string>& names);
 

@@ -70,6 +70,7 @@ class Normaliser {
     put_part("observed", false, [&](const Node& node) { return observed(node); });
     put_part_or_default("solver",
                         [&](const auto& node) { return normalise_section(context_, node, "solver", {}); });
+    put_part("start", false, [&](const Node& node) { return with_bodies(node, "start"); });
     section("settle", {});
     put_part("stop", true, [&](const Node& node) { return normalise_section(context_, node, "stop", {}); });
     put_part_or_default("output", [&](const auto& node) { return output(node); });
@@ -169,20 +170,23 @@ class Normaliser {
     return {};
   }
 
-  Value series(const Node& node) {
-    Value series = normalise_section(context_, node, "output.series", {});
+  Value series(const Node& node) { return with_bodies(node, "output.series"); }
+
+  /// A section with a list of names of bodies.
+  Value with_bodies(const Node& node, const char* name) {
+    Value section = normalise_section(context_, node, name, {});
     const std::optional<Node> bodies = node.find("bodies");
-    if (!series.map() || !bodies || !bodies->expect_list(diagnostics_)) return series;
+    if (!section.map() || !bodies || !bodies->expect_list(diagnostics_)) return section;
     List names;
     for (const Node& item : bodies->items()) {
       if (!item.value->text())
         item.error(diagnostics_, fmt::format("is {}, expected the name of a body", item.value->kind()));
-      Value name = text_value(item.value->text() ? *item.value->text() : "");
-      name.at = item.value->at;
-      names.push_back(std::move(name));
+      Value of_body = text_value(item.value->text() ? *item.value->text() : "");
+      of_body.at = item.value->at;
+      names.push_back(std::move(of_body));
     }
-    put(*series.map(), *bodies, list_value(std::move(names)));
-    return series;
+    put(*section.map(), *bodies, list_value(std::move(names)));
+    return section;
   }
 
   Map fields(const Node& node, std::string_view section, std::string_view prefix) {

@@ -23,6 +23,7 @@
 #include "math/over_time.h"
 #include "math/space.h"
 #include "plugin/registry.h"
+#include "record/last_state.h"
 #include "record/link_type.h"
 #include "scenario/ground_store.h"
 #include "scenario/observed.h"
@@ -227,7 +228,11 @@ struct BodyPlan {
   std::vector<Number> force;                  ///< N; empty: none
   std::shared_ptr<const OverTime> over_time;  ///< of `force`, or of the velocity of a driven body; null: none
   std::optional<Number> hold;                 ///< s; absent: it is not held
+  std::shared_ptr<const LastState> start;     ///< of another run; null: it starts as it is placed
   int material = -1;
+
+  /// Whether forces move it.
+  bool is_moved() const { return !fixed && !driven; }
 };
 
 /// A link between two bodies, or a body and the terrain (world/links.h).

@@ -109,7 +109,7 @@ SectionSpec document() {
           {"document",  "include",  "plugins",  "air",    "terrain",  "materials", "pairs",
            "blast",     "branches", "rocks",    "bodies", "barriers", "gates",     "forest",
            "clearance", "exposure", "observed", "solver", "stop",     "output",    "sweep",
-           "expect",    "answer",   "settle",   "shapes", "links"}};
+           "expect",    "answer",   "settle",   "shapes", "links",    "start"}};
 }
 
 /// Of a terrain.
@@ -653,6 +653,11 @@ std::vector<SectionSpec> make_sections() {
        {above(number("until", "m/s", "below which a body is at rest"), 0),
         at_most(above(number("at_most", "s", "before time 0"), 0), 1e5)},
        {}},
+      {"start",
+       {text("from", "the result folder of a run, in which bodies start as they ended there"),
+        or_else(at_least(integer("point", "of its sweep"), 0), 0.0),
+        or_else(at_least(integer("trial", "of the point"), 0), 0.0)},
+       {"bodies"}},
       {"output",
        {boolean("rocks", true, "whether every rock has its rows; else only the first ones"),
         at_least(optional(integer("chunk", "trials of a chunk; else chosen from `trials`")), 1),

@@ -12,6 +12,7 @@
 #include "trial/make_links.h"
 #include "trial/repeat.h"
 #include "trial/scenario_error.h"
+#include "trial/shape_code.h"
 #include "trial/start_checks.h"
 #include "trial/table_rock.h"
 
@@ -27,6 +28,23 @@ std::string release_path(int group) { return fmt::format("rocks.{}.release", gro
 /// WorldLaws cannot move, and a deque that shrinks leaves the others where they are.
 void shorten(std::deque<WorldLaws>& laws, std::size_t size) {
   while (laws.size() > size) laws.pop_back();
+}
+
+/// Puts a body where another run left it.
+template <int D>
+void start_at(const LastState& last, const Vec3& origin, Body<D>& body) {
+  if (shape_code(body.contactors) != last.shape)
+    throw StartError(fmt::format("`{}` has another shape there", body.group));
+  if (body.mass != last.mass)
+    throw StartError(
+        fmt::format("`{}` has a mass of {} kg there, and of {} kg here", body.group, last.mass, body.mass));
+  body.x = (last.state.position - origin).template head<D>();
+  body.v = last.state.velocity.template head<D>();
+  body.w = spin_of<D>([&](int k) { return last.state.spin[D == 2 ? 2 : k]; });
+  if constexpr (D == 2)
+    body.attitude = last.state.angle;
+  else
+    body.attitude = Rotation3(Eigen::Quaterniond(last.turn[0], last.turn[1], last.turn[2], last.turn[3]));
 }
 
 bool is_random(const std::optional<Release>& release) {
@@ -434,7 +452,7 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
     if (shape_is_drawn) rock.outcomes.set_shape(body);
     body.group = plan.name;
     body.shape_type = plan.shape.plugin->spec.name;
-    if (!plan.fixed && !plan.driven) {
+    if (plan.is_moved()) {
       at_path(path + "shape", [&] { refuse_massless(body); });
       at_path(path + mass_key(plan), [&] { refuse_extremes(body); });
     }
@@ -454,8 +472,8 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
       body.w = spin_of<D>([&](int k) { return value(plan.spin[k]); });
     }
     at_path(path + (plan.driven ? "driven" : "velocity"), [&] { refuse_speed(body); });
-    if (!plan.fixed && !plan.driven && scenario_.air)
-      body.air = air_of(*scenario_.air, "air", body, rock.key);
+    if (plan.is_moved() && scenario_.air) body.air = air_of(*scenario_.air, "air", body, rock.key);
+    if (plan.start) at_path("start.from", [&] { start_at(*plan.start, origin(), body); });
     rock.launch_speed = body.v.norm();
     if (rock.launch_speed > 0) rock.launch_elevation = elevation_of(body.v, Vec3::UnitX());
     for (std::size_t k = 0; k < plan.force.size(); ++k)
@@ -482,7 +500,9 @@ void TrialBuilder<D>::build_bodies(Trial<D>& trial, std::uint64_t number_of_tria
   }
   make_links(scenario_, world);
   connect(trial, world, std::move(partners));
-  if (const auto fault = start_fault(world, origin()))
+  const bool goes_on = std::any_of(scenario_.bodies.begin(), scenario_.bodies.end(),
+                                   [](const BodyPlan& body) { return body.start != nullptr; });
+  if (const auto fault = start_fault(world, origin(), goes_on ? most_left_overlap : most_placed_overlap))
     throw ScenarioError(fmt::format("bodies.{}.position", fault->body), fault->text);
 }
 

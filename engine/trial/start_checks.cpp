@@ -15,9 +15,6 @@ namespace flyrock {
 
 namespace {
 
-/// A rock that starts deeper in the ground or in another rock than this share of its size is refused.
-constexpr double most_overlap = 1e-6;
-
 /// How deep the middle of a contactor lies below the surface. A contactor deep in the ground has no contact
 /// with it, so contacts alone do not find it. The ground below a plane has contacts at any depth.
 template <int D>
@@ -106,7 +103,7 @@ std::string starts_text(const Body<D>& body, const Vec3& origin) {
 /// What is wrong with a point this deep below the ground, or an empty text.
 template <int D>
 std::string buried_text(const Body<D>& body, double depth, const Vec3& origin) {
-  if (!(depth > most_overlap * body.size)) return {};
+  if (!(depth > most_placed_overlap * body.size)) return {};
   return starts_text(body, origin) + fmt::format("{:.3g} m inside the terrain", depth);
 }
 
@@ -208,7 +205,7 @@ namespace {
 
 /// What is wrong with the place of one body, apart from the contacts that it has; or an empty text.
 template <int D>
-std::string place_fault(const World<D>& world, const Body<D>& body, const Vec3& origin) {
+std::string place_fault(const World<D>& world, const Body<D>& body, const Vec3& origin, double most_overlap) {
   if (!(body.x.cwiseAbs().maxCoeff() <= farthest_place)) return far_text(body, origin);
   if (!body.moves()) return {};
   if (const std::string beyond = beyond_text(body, domain_of(world.terrain()), origin); !beyond.empty())
@@ -224,7 +221,7 @@ std::string place_fault(const World<D>& world, const Body<D>& body, const Vec3& 
 
 template <int D>
 std::optional<StartFault> overlap_fault(const World<D>& world, const typename World<D>::Overlap& overlap,
-                                        const Vec3& origin) {
+                                        const Vec3& origin, double most_overlap) {
   double size = 0;
   for (const Body<D>& body : world.bodies)
     if (body.moves()) size = std::max(size, body.size);
@@ -238,19 +235,20 @@ std::optional<StartFault> overlap_fault(const World<D>& world, const typename Wo
 }  // namespace
 
 template <int D>
-std::optional<StartFault> start_fault(World<D>& world, const Vec3& origin) {
+std::optional<StartFault> start_fault(World<D>& world, const Vec3& origin, double most_overlap) {
   for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i)
-    if (std::string fault = place_fault(world, world.bodies[i], origin); !fault.empty())
+    if (std::string fault = place_fault(world, world.bodies[i], origin, most_overlap); !fault.empty())
       return StartFault{i, std::move(fault)};
-  return overlap_fault(world, world.deepest_overlap(), origin);
+  return overlap_fault(world, world.deepest_overlap(), origin, most_overlap);
 }
 
 template <int D>
 std::optional<StartFault> start_fault_of_last(World<D>& world, const Vec3& origin) {
   const int last = static_cast<int>(world.bodies.size()) - 1;
-  if (std::string fault = place_fault(world, world.bodies.back(), origin); !fault.empty())
+  if (std::string fault = place_fault(world, world.bodies.back(), origin, most_placed_overlap);
+      !fault.empty())
     return StartFault{last, std::move(fault)};
-  return overlap_fault(world, world.overlap_of_last(), origin);
+  return overlap_fault(world, world.overlap_of_last(), origin, most_placed_overlap);
 }
 
 std::string start_fault_of_point(const Body<3>& body, const Ground3& ground, const Vec3& origin) {
@@ -272,7 +270,7 @@ template <int D>
 bool last_is_free(World<D>& world) {
   const Body<D>& last = world.bodies.back();
   const double depth = std::max(buried(last, world.terrain()), in_surface(last, world.bodies).depth);
-  return std::max(world.overlap_of_last().depth, depth) <= most_overlap * last.size;
+  return std::max(world.overlap_of_last().depth, depth) <= most_placed_overlap * last.size;
 }
 
 template void refuse_extremes(const Body<2>&);
@@ -285,8 +283,8 @@ template void refuse_slender(const Body<2>&);
 template void refuse_slender(const Body<3>&);
 template void refuse_speed(const Body<2>&);
 template void refuse_speed(const Body<3>&);
-template std::optional<StartFault> start_fault(World<2>&, const Vec3&);
-template std::optional<StartFault> start_fault(World<3>&, const Vec3&);
+template std::optional<StartFault> start_fault(World<2>&, const Vec3&, double);
+template std::optional<StartFault> start_fault(World<3>&, const Vec3&, double);
 template std::optional<StartFault> start_fault_of_last(World<2>&, const Vec3&);
 template std::optional<StartFault> start_fault_of_last(World<3>&, const Vec3&);
 template bool last_is_free(World<2>&);

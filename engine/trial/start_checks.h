@@ -41,10 +41,15 @@ struct StartFault {
   std::string text;  ///< with the radius that would fit if the ground is too near
 };
 
+/// A body that starts deeper in the ground or in another one than this share of its size is refused: where
+/// the scenario has placed it, and where another run has left it, whose dense steps let contacts overlap.
+inline constexpr double most_placed_overlap = 1e-6, most_left_overlap = 1e-3;
+
 /// The first fault of the moving bodies of a world; nothing if there is none. Texts show places in the
 /// coordinates of the scenario, in which the engine counts from `origin`.
 template <int D>
-std::optional<StartFault> start_fault(World<D>& world, const Vec3& origin = Vec3::Zero());
+std::optional<StartFault> start_fault(World<D>& world, const Vec3& origin = Vec3::Zero(),
+                                      double most_overlap = most_placed_overlap);
 
 /// The same of the body that was added last to others without a fault.
 template <int D>

@@ -694,3 +694,27 @@ TEST_CASE("A plan as a drawing has the layers of a GIS, with the same places") {
   CHECK(fence[0] == std::vector<Eigen::Vector3d>{{5, -5, 0}, {6, 12, 0}});
   CHECK(std::distance(fs::directory_iterator(folder.path() / "drawing"), fs::directory_iterator()) == 1);
 }
+
+TEST_CASE("a driven body whose velocity changes over time is drawn where it is") {
+  const Folder folder;
+  folder.write("gate.yaml", R"(flyrock: 1
+dimension: 2
+method: nscd
+terrain: { type: profile, points: [[-9, 0], [9, 0]], material: rock }
+materials: { rock: { friction: { type: coulomb, mu: 0.5 } } }
+stop: { time: 2 s, speed: 0 }
+bodies:
+  - { name: gate, shape: { type: disk, radius: 0.5 }, position: [0, 1], material: rock,
+      driven: { spin: 3, velocity: { table: [[0.5, [1, 0]], [1 s, [3, 0]]] } } }
+  - { name: stone, shape: { type: disk, radius: 0.5 }, density: 2700, position: [-5, 0.5], material: rock }
+)");
+  const Output run = call(folder, "run gate.yaml --quiet -o r");
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  // 1 m/s for 0.5 s, then 4 m/s2 for 0.5 s, then 3 m/s.
+  CHECK(query(folder.path() / "r/results.db",
+              "SELECT time_s, x_m, vx_m_s, ax_m_s2, round(angle_rad, 9) FROM fixtures ORDER BY rowid") ==
+        std::vector<std::string>{"0.0|0.0|1.0|0.0|0.0", "0.5|0.5|1.0|4.0|1.5", "1.0|1.5|3.0|0.0|3.0"});
+  CHECK(query(folder.path() / "r/results.db", "SELECT count(*) FROM fixture_shapes") ==
+        std::vector<std::string>{"1"});
+}

@@ -49,8 +49,8 @@ TEST_CASE("A flipped bit in a file of a result is exit code 2 and one line, whic
   folder.write("s.yaml", bench);
   REQUIRE(call(folder, "run s.yaml --quiet -o r").code == 0);
   std::mt19937 random(11);
-  for (const std::string file :
-       {"r/results.db", "r/manifest.json", "r/summary.json", "r/rocks.csv", "r/SHA256SUMS"})
+  for (const std::string file : {"r/results.db", "r/manifest.json", "r/summary.json", "r/rocks.csv",
+                                 "r/last_states.csv", "r/SHA256SUMS"})
     for (const char* reader : readers) {
       const Damage damage(folder, file, with_flipped_bit(read(folder.path() / file), random));
       const Output output = call(folder, reader);
@@ -94,8 +94,9 @@ TEST_CASE("A database that is damaged under a right checksum is exit code 2 as w
   for (std::size_t at = 200; at < database.size(); at += 37) database[at] = 'x';
   folder.write("r/results.db", database);
   REQUIRE(
-      shell(folder, "cd r && sha256sum manifest.json results.db rocks.csv summary.json > SHA256SUMS").code ==
-      0);
+      shell(folder,
+            "cd r && sha256sum last_states.csv manifest.json results.db rocks.csv summary.json > SHA256SUMS")
+          .code == 0);
   for (const char* reader : {"report r", "export r --to csv -o tables", "export r --to vtk -o paraview"}) {
     const Output output = call(folder, reader);
     CHECK(output.code == 2);
@@ -109,7 +110,8 @@ TEST_CASE("The checksums are those of sha256sum, and the same however the result
   REQUIRE(call(folder, "run s.yaml --quiet -o r -j1").code == 0);
   const Output check = shell(folder, "cd r && sha256sum -c SHA256SUMS");
   CHECK(check.code == 0);
-  CHECK(check.out == "manifest.json: OK\nresults.db: OK\nrocks.csv: OK\nsummary.json: OK\n");
+  CHECK(check.out ==
+        "last_states.csv: OK\nmanifest.json: OK\nresults.db: OK\nrocks.csv: OK\nsummary.json: OK\n");
   for (const char* shard : {"1", "2"})
     REQUIRE(call(folder, std::string("run s.yaml --quiet -j2 --shard ") + shard + "/2 -o s" + shard).code ==
             0);

@@ -8,7 +8,7 @@ namespace flyrock::test {
 
 /// Checks the files that must not differ.
 inline void check_same(const Folder& folder, const std::string& a, const std::string& b) {
-  for (const char* file : {"manifest.json", "summary.json", "rocks.csv", "report.html"}) {
+  for (const char* file : {"manifest.json", "summary.json", "rocks.csv", "last_states.csv", "report.html"}) {
     INFO(a << " and " << b << ": " << file);
     const std::string bytes = read(folder.path() / a / file);
     CHECK_FALSE(bytes.empty());
