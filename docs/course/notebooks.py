@@ -120,6 +120,10 @@ for name in ("careful_1", "bold_1"):
 import numpy
 path["slope"] = numpy.degrees(numpy.arctan2(path.x, -path.y))
 path.plot("time_s", "slope", legend=False, xlabel="time in s", ylabel="slope in degrees");"""),
+    "column_collapse": (
+        "The front of the grains over time.",
+        """front = table("SELECT time_s, max(x_m) AS front FROM trajectories GROUP BY round(time_s/0.02)")
+front.plot("time_s", "front", legend=False, xlabel="time in s", ylabel="front in m");"""),
     "brazilian": (
         "The tension that 1 % of the disk exceeds, over the load of a plate: 2 P/(pi D t).",
         """load = table("SELECT time_s, sum(rn_N) AS load FROM series_contacts WHERE 'upper' IN (a, b) GROUP BY time_s")
@@ -277,7 +281,7 @@ def main():
         return check(options.check)
     options.folder.mkdir(parents=True, exist_ok=True)
     for lab in options.labs or labs():
-        ending = "lua" if lab in ("arch", "drum", "order_and_cost", "own_law", "stack", "waves") else "yaml"
+        ending = "lua" if lab in ("arch", "column_collapse", "drum", "order_and_cost", "own_law", "stack", "waves") else "yaml"
         file = options.folder / f"{lab}.ipynb"
         file.write_text(json.dumps(notebook(lab, ending), indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
         print(file)

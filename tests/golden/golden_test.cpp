@@ -40,8 +40,9 @@ std::vector<std::string> shipped(const std::string& folder = "") {
 }
 
 /// A trial of many bodies takes as long as many other scenarios together; one of them is run.
-const std::set<std::string> long_trials{"course/drum.lua", "quarry/bench_failure_2d.yaml",
-                                        "quarry/joint_blocks_3d.yaml"};
+const std::set<std::string> long_trials{"course/column_collapse.lua", "course/drum.lua",
+                                        "quarry/bench_failure_2d.yaml", "quarry/joint_blocks_3d.yaml",
+                                        "quarry/muck_pile.lua"};
 
 /// Runs three trials of a scenario, and adds the hashes of its results.
 void run(const Folder& folder, const std::string& scenario, const std::string& threads,
