@@ -322,6 +322,7 @@ typename World<D>::Outcome World<D>::dense_step(double h) {
       quality_.max_penetration = std::max(quality_.max_penetration, sunk_);
       quality_.projection_energy += lifted;
       quality_.theta_loss += theta_loss_;
+      energy_in_doubt_ += std::max(0.0, lifted - theta_loss_);
       break;
     }
     restore();

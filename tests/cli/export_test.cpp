@@ -469,10 +469,10 @@ stop: { time: 1 s, speed: 0 }
   CHECK(whole.find("</text>") != std::string::npos);
   CHECK(count_of(whole, "/>left</text>") + count_of(whole, "/>bob</text>") == 2);
   CHECK(count_of(whole, "stroke-opacity=\"0.35\"") == 1);
-  CHECK(count_of(whole, ">8 m</text>") == 1);  // up to the end of the rope
+  CHECK(count_of(whole, ">5 m</text>") == 1);  // up to the end of the rope
   REQUIRE(call(folder, "animate r -o near.svg --region=-2.5,0,2.5,2").code == 0);
   const std::string near = read(folder.path() / "near.svg");
-  CHECK(count_of(near, ">8 m</text>") == 0);
+  CHECK(count_of(near, ">5 m</text>") == 0);
   CHECK(count_of(near, ">1.5 m</text>") == 1);
   for (const char* wrong : {"1,2,3", "0,0,1,1,", "0,0,-1,1", "0,0,1 kg,1", "a,b,c,d"}) {
     const Output refused = call(folder, "animate r --region '" + std::string(wrong) + "'");
