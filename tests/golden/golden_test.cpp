@@ -38,11 +38,11 @@ std::vector<std::string> shipped() {
   return names;
 }
 
-/// A trial of many bodies takes as long as many other scenarios together; one of them is run. Under
+/// A trial of many bodies or nodes takes as long as many other scenarios together; one of them is run. Under
 /// sanitizers these would take minutes.
-const std::set<std::string> long_trials{"course/column_collapse.lua", "course/drum.lua",
-                                        "quarry/bench_failure_2d.yaml", "quarry/joint_blocks_3d.yaml",
-                                        "quarry/muck_pile.lua"};
+const std::set<std::string> long_trials{"course/column_collapse.lua",   "course/drum.lua",
+                                        "quarry/bench_failure_2d.yaml", "quarry/block_impact_3d.yaml",
+                                        "quarry/joint_blocks_3d.yaml",  "quarry/muck_pile.lua"};
 
 /// The others of a folder.
 std::vector<std::string> quick_ones_of(const std::string& folder) {
@@ -108,7 +108,7 @@ TEST_CASE("The scenarios of the course give the golden bytes") { golden_bytes_of
 TEST_CASE("The scenarios of Ninh Dan give the golden bytes") { golden_bytes_of(quick_ones_of("ninh_dan")); }
 TEST_CASE("The scenarios of quarries give the golden bytes") { golden_bytes_of(quick_ones_of("quarry")); }
 TEST_CASE("The scenarios of rockfall give the golden bytes") { golden_bytes_of(quick_ones_of("rockfall")); }
-TEST_CASE("The scenarios of many bodies give the golden bytes", "[slow]") {
+TEST_CASE("The scenarios of many bodies or nodes give the golden bytes", "[slow]") {
   golden_bytes_of({long_trials.begin(), long_trials.end()});
 }
 
