@@ -66,8 +66,7 @@ class Runner {
     progress_.begin(world_);
     world_.choose_density();
     // A deformable block that touches at the start has no impact, and a flight would pass what it touches.
-    // Nor has a pile: its step solves what touches.
-    bool in_contact = settings_.exact_flight && (world_.deforms() || world_.is_dense() || collide());
+    bool in_contact = settings_.exact_flight && (world_.deforms() || collide());
     while (anybody() && has_time()) {
       if (settings_.interrupted()) throw Interrupted();
       if (progress_.stands_still(world_)) {

@@ -58,8 +58,7 @@ bool World<D>::can_be_dense() const {
 template <int D>
 int World<D>::most_contacts_of_island() {
   constexpr std::size_t most_of_pair = D == 2 ? 2 : 4, becomes = becomes_dense;
-  if (!dense_ && last_step_ > 0 && 4 * contacts_.size() < becomes)
-    return 0;  // so few touch that none is a pile
+  if (!dense_ && 4 * contacts_.size() < becomes) return 0;  // so few touch that none of them is a pile
   const auto& pairs = near_pairs(settings_.dense_step);
   if (!dense_ && most_of_pair * (pairs.size() + bodies.size()) < becomes) return 0;
   joined_.begin(bodies.size());
