@@ -146,7 +146,7 @@ class DeformableShape : public ShapeModel {
   template <int D>
   static void check_nodes(double nodes, const char* name) {
     if (nodes > most_mesh_nodes<D>)
-      throw PluginError(
+      throw ParameterError(
           fmt::format("plugin deformable: the mesh has {:.0f} nodes, expected at most {}: fewer `{}`", nodes,
                       most_mesh_nodes<D>, name));
   }
