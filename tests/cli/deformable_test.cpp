@@ -84,6 +84,18 @@ stop: { time: 0.002 s, speed: 0 }
 output: { series: { every: 0.1 ms } }
 )";
 
+void same_bytes_by_threads(const char* scenario) {
+  const Folder folder;
+  folder.write("s.yaml", scenario);
+  for (const char* threads : {"1", "2", "8"}) {
+    const Output run = call(folder, std::string("run s.yaml --quiet -o j") + threads + " -j" + threads);
+    INFO(run.err);
+    REQUIRE(run.code == 0);
+  }
+  check_same(folder, "j1", "j2");
+  check_same(folder, "j1", "j8");
+}
+
 }  // namespace
 
 TEST_CASE("a deformable cube has measures of stress, and its mesh is exported as tetrahedra") {
@@ -107,28 +119,10 @@ TEST_CASE("a deformable cube has measures of stress, and its mesh is exported as
   CHECK(report.code == 0);
 }
 
-TEST_CASE("deformable boxes give the same bytes over 1, 2 and 8 threads") {
-  const Folder folder;
-  folder.write("s.yaml", boxes);
-  for (const char* threads : {"1", "2", "8"}) {
-    const Output run = call(folder, std::string("run s.yaml --quiet -o j") + threads + " -j" + threads);
-    INFO(run.err);
-    REQUIRE(run.code == 0);
-  }
-  check_same(folder, "j1", "j2");
-  check_same(folder, "j1", "j8");
-}
+TEST_CASE("deformable boxes give the same bytes over 1, 2 and 8 threads") { same_bytes_by_threads(boxes); }
 
 TEST_CASE("deformable blocks of drawn values give the same bytes over 1, 2 and 8 threads") {
-  const Folder folder;
-  folder.write("s.yaml", blocks);
-  for (const char* threads : {"1", "2", "8"}) {
-    const Output run = call(folder, std::string("run s.yaml --quiet -o j") + threads + " -j" + threads);
-    INFO(run.err);
-    REQUIRE(run.code == 0);
-  }
-  check_same(folder, "j1", "j2");
-  check_same(folder, "j1", "j8");
+  same_bytes_by_threads(blocks);
 }
 
 TEST_CASE("check says how deformable blocks touch, and warns of long steps and of triangles that lock") {
