@@ -1,10 +1,10 @@
 #include "corpus.h"
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 
 #include "batch/safe_file.h"
+#include "long_scenarios.h"
 
 namespace flyrock::fuzz {
 
@@ -12,8 +12,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Scenarios of which two trials of 0.2 s take seconds.
-constexpr std::array slow = {"arch.lua", "bar_on_wall.yaml", "painleve.yaml", "restitution_from_waves.yaml"};
+/// Whether mutants of a file would take seconds each.
+bool is_slow(const fs::path& path) {
+  const std::string name = fs::relative(path, fs::path(FLYROCK_SOURCE_DIR) / "scenarios").string();
+  return long_trials.contains(name) || short_steps.contains(name);
+}
 
 std::vector<fs::path> files_below(const fs::path& folder, const std::string& extension) {
   std::vector<fs::path> files;
@@ -31,7 +34,7 @@ std::vector<Source> sources_in(const std::vector<std::string>& folders, const st
   std::vector<Source> sources;
   for (const std::string& folder : folders)
     for (const fs::path& path : files_below(root / folder, extension)) {
-      if (std::find(slow.begin(), slow.end(), path.filename()) != slow.end()) continue;
+      if (is_slow(path)) continue;
       Source source{fs::relative(path, root).string(), read_file(path), {}};
       for (const std::string& other : beside)
         for (const fs::path& file : files_below(path.parent_path(), other))

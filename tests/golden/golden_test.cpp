@@ -11,6 +11,7 @@
 
 #include "../cli/program.h"
 #include "batch/sha256.h"
+#include "long_scenarios.h"
 
 using namespace flyrock::test;
 
@@ -38,25 +39,19 @@ std::vector<std::string> shipped() {
   return names;
 }
 
-/// A trial of many bodies or nodes takes as long as many other scenarios together; one of them is run. Under
-/// sanitizers these would take minutes.
-const std::set<std::string> long_trials{"course/column_collapse.lua",   "course/drum.lua",
-                                        "quarry/bench_failure_2d.yaml", "quarry/block_impact_3d.yaml",
-                                        "quarry/joint_blocks_3d.yaml",  "quarry/muck_pile.lua"};
-
-/// The others of a folder.
+/// The scenarios of a folder without those of long trials.
 std::vector<std::string> quick_ones_of(const std::string& folder) {
   std::vector<std::string> names = shipped();
   std::erase_if(names, [&](const std::string& name) {
-    return !name.starts_with(folder + '/') || long_trials.contains(name);
+    return !name.starts_with(folder + '/') || flyrock::long_trials.contains(name);
   });
   return names;
 }
 
-/// Runs three trials of a scenario, and adds the hashes of its results.
+/// Runs three trials of a scenario, or one long one, and adds the hashes of its results.
 void run(const Folder& folder, const std::string& scenario, const std::string& threads,
          std::map<std::string, std::string>& hashes) {
-  const std::string trials = long_trials.contains(scenario) ? "1" : "3";
+  const std::string trials = flyrock::long_trials.contains(scenario) ? "1" : "3";
   const Output run = call(folder, "run '" + (scenarios / scenario).string() + "' --trials " + trials +
                                       " --quiet --force -o out -j " + threads);
   INFO(scenario << " over " << threads << " threads: " << run.err);
@@ -109,7 +104,7 @@ TEST_CASE("The scenarios of Ninh Dan give the golden bytes") { golden_bytes_of(q
 TEST_CASE("The scenarios of quarries give the golden bytes") { golden_bytes_of(quick_ones_of("quarry")); }
 TEST_CASE("The scenarios of rockfall give the golden bytes") { golden_bytes_of(quick_ones_of("rockfall")); }
 TEST_CASE("The scenarios of many bodies or nodes give the golden bytes", "[slow]") {
-  golden_bytes_of({long_trials.begin(), long_trials.end()});
+  golden_bytes_of({flyrock::long_trials.begin(), flyrock::long_trials.end()});
 }
 
 TEST_CASE("hashes.txt knows the shipped scenarios and no others: if not, run `make golden`") {
