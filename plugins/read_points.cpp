@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "plugin/surveyed_terrain.h"
+#include "survey/surveyed_terrain.h"
 
 namespace flyrock::plugins {
 

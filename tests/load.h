@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "batch/load.h"
 #include "batch/trial.h"
+#include "load/load.h"
 
 namespace flyrock {
 

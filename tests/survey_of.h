@@ -2,7 +2,7 @@
 // Terrains from files, for tests: what was read, and what is wrong with a file.
 
 #include "conformance/plugin_use.h"
-#include "plugin/surveyed_terrain.h"
+#include "survey/surveyed_terrain.h"
 #include "temporary_file.h"
 
 namespace flyrock {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "batch/safe_file.h"
+#include "files/safe_file.h"
 #include "record/columns.h"
 #include "record/tables.h"
 

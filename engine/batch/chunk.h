@@ -3,7 +3,7 @@
 //
 // A chunk file holds the magic "flyrchnk", the format, the hash of the resolved scenario, the point, the
 // first trial and the count. Then follow the tables of Part::brief and those that Part::whole adds, stored
-// column by column (batch/columns.h). Each of these two sections has its length in bytes in front of it and
+// column by column (record/columns.h). Each of these two sections has its length in bytes in front of it and
 // its CRC-32 (IEEE 802.3) at its end. Integers are 8 bytes in two's complement, doubles are IEEE 754 of 8
 // bytes, both little-endian. A text is its length and its bytes. Wall times are not stored, because a chunk
 // holds nothing that may differ between two runs.

@@ -5,7 +5,7 @@
 #include <future>
 #include <utility>
 
-#include "batch/safe_file.h"
+#include "files/safe_file.h"
 
 namespace flyrock {
 

@@ -12,7 +12,7 @@
 
 #include "batch/chunk_queue.h"
 #include "batch/record_check.h"
-#include "batch/safe_file.h"
+#include "files/safe_file.h"
 #include "flight/run.h"
 #include "scenario/plan.h"
 

@@ -1,9 +1,6 @@
 #include "batch/runners.h"
 
-#include <algorithm>
-
-#include "batch/try_out.h"
-#include "document/node.h"
+#include "load/try_points.h"
 
 namespace flyrock {
 
@@ -14,22 +11,7 @@ Runners make_runners(const Plan& plan) {
 }
 
 Runners try_runners(LoadedScenario& scenario, std::uint64_t trials, Diagnostics& diagnostics) {
-  const auto place = [&](const std::string& path) { return node_at(scenario.root, path).key_at; };
-  // Of a large sweep each point is tried with fewer rocks, so that this never takes longer than some seconds.
-  constexpr std::size_t most_rocks = 2000, most_of_all_points = 40'000;
-  const TryLimits limits{.trials = trials,
-                         .rocks = std::min(most_rocks, most_of_all_points / scenario.plan.points.size())};
-  for (const Scenario& point : scenario.plan.points) {
-    const TriedOut tried = try_out(point, limits);
-    for (const ScenarioError& error : tried.errors)
-      diagnostics.error(place(error.path), error.path, error.what());
-    for (const ScenarioError& warning : tried.warnings)
-      diagnostics.warning(place(warning.path), warning.path, warning.what());
-    if (scenario.tiers.empty()) scenario.tiers = tried.tiers;
-    if (scenario.pile_cost.empty()) scenario.pile_cost = tried.pile_cost;
-    if (scenario.deformable.empty()) scenario.deformable = tried.deformable;
-  }
-  for (std::string& warning : diagnostics.warnings()) scenario.warnings.push_back(std::move(warning));
+  try_points(scenario, trials, diagnostics);
   return diagnostics.has_errors() ? Runners() : make_runners(scenario.plan);
 }
 

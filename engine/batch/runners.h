@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "batch/load.h"
 #include "batch/trial.h"
+#include "load/load.h"
 
 namespace flyrock {
 
@@ -15,11 +15,8 @@ using Runners = std::vector<std::unique_ptr<TrialRunner>>;
 /// Throws ScenarioError if a plugin cannot be made.
 Runners make_runners(const Plan& plan);
 
-/// The number of trials of each point that `check` tries out, and `run` before it starts.
-inline constexpr std::uint64_t tried_trials = 200;
-
-/// Tries out up to `trials` trials of each point and makes its runner; none if there are errors. A failure is
-/// reported as an error at the key that caused it. The warnings are also added to the scenario.
+/// Tries out up to `trials` trials of each point (load/try_points.h) and makes its runner; none if there are
+/// errors.
 Runners try_runners(LoadedScenario& scenario, std::uint64_t trials, Diagnostics& diagnostics);
 
 }  // namespace flyrock

@@ -9,14 +9,14 @@
 #include <stdexcept>
 
 #include "batch/plan_chunks.h"
-#include "batch/safe_file.h"
-#include "batch/sha256.h"
 #include "batch/trial.h"
 #include "cli/command.h"
 #include "cli/terminal.h"
-#include "report/variance_data.h"
-#include "report/variance_page.h"
-#include "results/exposure.h"
+#include "files/safe_file.h"
+#include "files/sha256.h"
+#include "report/page/variance_page.h"
+#include "report/tables/variance_data.h"
+#include "results/risk/exposure.h"
 #include "scenario/derived_inputs.h"
 #include "units/units.h"
 

@@ -7,10 +7,10 @@
 
 #include "batch/chunk_files.h"
 #include "batch/exchanged_inputs.h"
-#include "batch/load.h"
 #include "batch/run.h"
 #include "cli/request.h"
-#include "results/explained_variance.h"
+#include "load/load.h"
+#include "results/statistics/explained_variance.h"
 
 namespace flyrock::cli {
 

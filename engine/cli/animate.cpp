@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "batch/safe_file.h"
 #include "cli/film.h"
 #include "cli/result_folder.h"
-#include "report/animation.h"
+#include "files/safe_file.h"
+#include "report/pictures/animation.h"
 #include "units/units.h"
 
 namespace flyrock::cli {

@@ -8,18 +8,18 @@
 #include <numeric>
 #include <set>
 
-#include "batch/folder_lock.h"
 #include "batch/runners.h"
-#include "batch/safe_file.h"
-#include "batch/sha256.h"
 #include "cli/loading.h"
 #include "cli/terminal.h"
 #include "document/wording.h"
+#include "files/folder_lock.h"
+#include "files/safe_file.h"
+#include "files/sha256.h"
 #include "flight/run.h"
-#include "report/calibration_data.h"
-#include "report/calibration_page.h"
-#include "results/misfit.h"
-#include "results/simulate.h"
+#include "report/page/calibration_page.h"
+#include "report/tables/calibration_data.h"
+#include "results/compare/misfit.h"
+#include "results/compare/simulate.h"
 
 namespace flyrock::cli {
 

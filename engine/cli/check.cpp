@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <vector>
 
-#include "batch/safe_file.h"
 #include "cli/given_parameters.h"
 #include "cli/loading.h"
 #include "cli/not_used_line.h"
@@ -11,12 +10,14 @@
 #include "cli/runners.h"
 #include "cli/terminal.h"
 #include "document/printable.h"
+#include "files/safe_file.h"
 #include "host/share.h"
+#include "load/try_points.h"
 #include "plugin/conformance.h"
-#include "results/answer.h"
-#include "results/block_summary.h"
-#include "results/observation.h"
-#include "results/starts.h"
+#include "results/compare/observation.h"
+#include "results/compare/starts.h"
+#include "results/measured/block_summary.h"
+#include "results/say/answer.h"
 
 namespace flyrock::cli {
 

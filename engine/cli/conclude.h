@@ -3,7 +3,7 @@
 
 #include "batch/chunk.h"
 #include "cli/command.h"
-#include "report/tables.h"
+#include "report/tables/tables.h"
 #include "results/results.h"
 
 namespace flyrock::cli {

@@ -10,10 +10,10 @@
 #include <functional>
 #include <map>
 
-#include "batch/safe_file.h"
 #include "cli/labs.h"
 #include "cli/loading.h"
 #include "cli/terminal.h"
+#include "files/safe_file.h"
 
 namespace flyrock::cli {
 

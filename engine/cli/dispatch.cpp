@@ -10,11 +10,11 @@
 #include <new>
 #include <system_error>
 
-#include "batch/safe_file.h"
 #include "cli/terminal.h"
 #include "document/odd_characters.h"
 #include "document/printable.h"
 #include "document/wording.h"
+#include "files/safe_file.h"
 #include "report/commit.h"
 #include "solver/hdf5_file.h"
 

@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <utility>
 
-#include "batch/safe_file.h"
 #include "cli/distributing_text.h"
 #include "cli/explain_text.h"
 #include "cli/loading.h"
 #include "cli/runners.h"
 #include "cli/solutions_text.h"
-#include "report/line_plot.h"
+#include "files/safe_file.h"
+#include "report/pictures/line_plot.h"
 #include "solver/hdf5_file.h"
 #include "solver/routh.h"
 #include "units/units.h"

@@ -10,13 +10,13 @@
 #include "cli/run_program.h"
 #include "cli/terminal.h"
 #include "document/wording.h"
-#include "report/export_asc.h"
-#include "report/export_csv.h"
-#include "report/export_dxf.h"
-#include "report/export_geojson.h"
-#include "report/export_obj.h"
-#include "report/export_vtk.h"
-#include "report/stored_scene.h"
+#include "report/exports/export_asc.h"
+#include "report/exports/export_csv.h"
+#include "report/exports/export_dxf.h"
+#include "report/exports/export_geojson.h"
+#include "report/exports/export_obj.h"
+#include "report/exports/export_vtk.h"
+#include "report/tables/stored_scene.h"
 
 namespace flyrock::cli {
 

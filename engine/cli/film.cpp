@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "batch/safe_file.h"
 #include "cli/command.h"
 #include "cli/run_program.h"
+#include "files/safe_file.h"
 
 namespace flyrock::cli {
 

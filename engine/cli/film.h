@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "report/animation.h"
+#include "report/pictures/animation.h"
 
 namespace flyrock::cli {
 

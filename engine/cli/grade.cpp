@@ -8,13 +8,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "batch/safe_file.h"
 #include "cli/labs.h"
 #include "cli/limited_child.h"
 #include "cli/loading.h"
 #include "cli/terminal.h"
 #include "document/printable.h"
-#include "report/csv.h"
+#include "files/safe_file.h"
+#include "report/tables/csv.h"
 
 namespace flyrock::cli {
 

@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "batch/safe_file.h"
 #include "cli/command.h"
 #include "cli/terminal.h"
 #include "document/table.h"
-#include "report/joints_page.h"
+#include "files/safe_file.h"
+#include "report/page/joints_page.h"
 #include "units/units.h"
 
 namespace flyrock::cli {

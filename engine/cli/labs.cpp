@@ -6,9 +6,9 @@
 #include <regex>
 #include <sstream>
 
-#include "batch/safe_file.h"
 #include "cli/command.h"
 #include "document/wording.h"
+#include "files/safe_file.h"
 #include "host/share.h"
 
 namespace flyrock::cli {

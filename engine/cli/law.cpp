@@ -6,17 +6,17 @@
 #include <cmath>
 #include <filesystem>
 
-#include "batch/safe_file.h"
 #include "cli/command.h"
 #include "cli/given_parameters.h"
 #include "cli/plugin_file.h"
 #include "cli/plugin_text.h"
 #include "cli/run_program.h"
 #include "cli/terminal.h"
+#include "files/safe_file.h"
 #include "host/session.h"
 #include "host/share.h"
-#include "report/line_plot.h"
-#include "results/law_graph.h"
+#include "report/pictures/line_plot.h"
+#include "results/measured/law_graph.h"
 
 namespace flyrock::cli {
 

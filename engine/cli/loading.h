@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "batch/load.h"
 #include "cli/command.h"
+#include "load/load.h"
 
 namespace flyrock::cli {
 

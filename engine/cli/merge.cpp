@@ -9,7 +9,6 @@
 
 #include "batch/plan_chunks.h"
 #include "batch/record_check.h"
-#include "batch/safe_file.h"
 #include "cli/analysis.h"
 #include "cli/conclude.h"
 #include "cli/loading.h"
@@ -18,6 +17,8 @@
 #include "cli/shard_command.h"
 #include "cli/summary_text.h"
 #include "cli/terminal.h"
+#include "files/safe_file.h"
+#include "load/try_points.h"
 
 namespace flyrock::cli {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "batch/safe_file.h"
 #include "cli/command.h"
 #include "cli/offers.h"
 #include "document/wording.h"
+#include "files/safe_file.h"
 
 namespace flyrock::cli {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "batch/safe_file.h"
 #include "cli/terminal.h"
 #include "document/yaml_text.h"
+#include "files/safe_file.h"
 #include "host/locate.h"
 #include "host/lua_tokens.h"
 #include "host/manifest.h"

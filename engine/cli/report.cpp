@@ -5,14 +5,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "batch/safe_file.h"
 #include "cli/result_folder.h"
 #include "cli/run_program.h"
+#include "files/safe_file.h"
 #include "host/share.h"
-#include "report/against.h"
-#include "report/database.h"
-#include "report/html.h"
-#include "report/motion_data.h"
+#include "report/page/against.h"
+#include "report/page/html.h"
+#include "report/page/motion_data.h"
+#include "report/tables/database.h"
 
 namespace flyrock::cli {
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "batch/safe_file.h"
+#include "files/safe_file.h"
 
 namespace flyrock::cli {
 

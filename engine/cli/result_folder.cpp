@@ -8,10 +8,10 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "batch/checksums.h"
-#include "batch/safe_file.h"
 #include "cli/terminal.h"
+#include "files/safe_file.h"
 #include "host/share.h"
+#include "load/checksums.h"
 
 namespace flyrock::cli {
 

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "batch/chunk_files.h"
-#include "batch/folder_lock.h"
 #include "cli/command.h"
 #include "cli/request.h"
+#include "files/folder_lock.h"
 #include "report/result_writer.h"
-#include "report/tables.h"
+#include "report/tables/tables.h"
 
 namespace flyrock::cli {
 

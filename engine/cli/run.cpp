@@ -5,7 +5,6 @@
 #include <chrono>
 
 #include "batch/plan_chunks.h"
-#include "batch/safe_file.h"
 #include "cli/conclude.h"
 #include "cli/loading.h"
 #include "cli/result_folder.h"
@@ -13,6 +12,8 @@
 #include "cli/shard.h"
 #include "cli/summary_text.h"
 #include "cli/terminal.h"
+#include "files/safe_file.h"
+#include "load/try_points.h"
 
 namespace flyrock::cli {
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "batch/safe_file.h"
 #include "cli/terminal.h"
 #include "document/node.h"
+#include "files/safe_file.h"
 #include "solver/hdf5_file.h"
 
 namespace flyrock::cli {

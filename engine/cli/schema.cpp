@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "cli/command.h"
-#include "cli/json_schema.h"
-#include "cli/lua_annotations.h"
+#include "describe/json_schema.h"
+#include "describe/lua_annotations.h"
 #include "host/session.h"
 #include "host/share.h"
 

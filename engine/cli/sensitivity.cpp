@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "batch/safe_file.h"
 #include "cli/analysis.h"
 #include "cli/conclude.h"
 #include "cli/loading.h"
@@ -13,6 +12,7 @@
 #include "cli/runners.h"
 #include "cli/shard.h"
 #include "cli/terminal.h"
+#include "files/safe_file.h"
 
 namespace flyrock::cli {
 

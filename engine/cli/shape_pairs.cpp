@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "batch/tiers.h"
 #include "cli/loading.h"
 #include "cli/shape_pictures.h"
 #include "collision/pairs.h"
+#include "load/tiers.h"
 #include "trial/build_trial.h"
 
 namespace flyrock::cli {

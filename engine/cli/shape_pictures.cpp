@@ -6,7 +6,7 @@
 
 #include "batch/rock_surface.h"
 #include "cli/loading.h"
-#include "report/shape_picture.h"
+#include "report/pictures/shape_picture.h"
 #include "trial/build_trial.h"
 #include "trial/scenario_error.h"
 

@@ -10,9 +10,9 @@
 #include <optional>
 
 #include "batch/chunk.h"
-#include "batch/folder_lock.h"
-#include "batch/safe_file.h"
 #include "cli/command.h"
+#include "files/folder_lock.h"
+#include "files/safe_file.h"
 
 namespace flyrock::cli {
 

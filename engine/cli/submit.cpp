@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
-#include "batch/safe_file.h"
 #include "cli/loading.h"
 #include "cli/shard_command.h"
+#include "files/safe_file.h"
 #include "host/share.h"
 
 namespace flyrock::cli {

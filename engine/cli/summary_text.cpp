@@ -9,13 +9,13 @@
 #include "cli/not_used_line.h"
 #include "cli/terminal.h"
 #include "math/space.h"
-#include "results/answer.h"
-#include "results/answer_shares.h"
-#include "results/farthest_group.h"
-#include "results/fault_line.h"
-#include "results/lost.h"
-#include "results/weights.h"
-#include "results/wording.h"
+#include "results/measured/lost.h"
+#include "results/say/answer.h"
+#include "results/say/answer_shares.h"
+#include "results/say/farthest_group.h"
+#include "results/say/fault_line.h"
+#include "results/say/weights.h"
+#include "results/say/wording.h"
 
 namespace flyrock::cli {
 

@@ -2,7 +2,7 @@
 // The tables of a run and their columns, described once: chunk files, results.db, rocks.csv, the statistics
 // of rocks and the report read this list. A new column is a member of its record and a line here; a new
 // statistic of rocks is a `statistic` in that line. Tables that are not made of rows of trials (points,
-// sweep, parts, ...) are in report/database.cpp.
+// sweep, parts, ...) are in report/tables/database.cpp.
 //
 // visit_<table>(visit) calls visit(column, get) for each column in order. member_of(record, get) is a
 // reference to the value of the column, const for a const record.
@@ -485,7 +485,7 @@ struct Table {
   const char* name;  ///< in results.db
   Part part;         ///< the part of a chunk file that holds it
   RowOwner owner;
-  /// a rock has many rows: results.db finds them by the first and the last (report/record_tables.h)
+  /// a rock has many rows: results.db finds them by the first and the last (report/tables/record_tables.h)
   const char* many_rows = nullptr;
 };
 

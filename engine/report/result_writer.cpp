@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "record/tables.h"
-#include "report/ground_pictures.h"
-#include "report/html.h"
-#include "report/motion_data.h"
-#include "report/tables.h"
-#include "results/cell_size.h"
+#include "report/page/html.h"
+#include "report/page/motion_data.h"
+#include "report/pictures/ground_pictures.h"
+#include "report/tables/tables.h"
+#include "results/say/cell_size.h"
 #include "scenario/last_states.h"
 #include "trial/make_forest.h"
 

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "batch/load.h"
-#include "batch/safe_file.h"
-#include "report/database.h"
-#include "report/report_data.h"
+#include "files/safe_file.h"
+#include "load/load.h"
+#include "report/page/report_data.h"
+#include "report/tables/database.h"
 #include "results/results.h"
 
 namespace flyrock {

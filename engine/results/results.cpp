@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <set>
 
-#include "batch/hard_contacts.h"
+#include "load/hard_contacts.h"
 #include "math/sphere.h"
-#include "results/alarms.h"
-#include "results/measure_tally.h"
-#include "results/outer.h"
+#include "results/measured/measure_tally.h"
+#include "results/measured/outer.h"
+#include "results/say/alarms.h"
 #include "scenario/normalise.h"
 #include "scenario/plan.h"
 

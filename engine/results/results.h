@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "record/rows.h"
-#include "results/best_point.h"
-#include "results/differences.h"
-#include "results/expectations.h"
-#include "results/measures.h"
+#include "results/compare/best_point.h"
+#include "results/compare/differences.h"
+#include "results/compare/expectations.h"
+#include "results/measured/measures.h"
 
 namespace flyrock {
 

@@ -9,9 +9,9 @@
 #include "document/table.h"
 #include "geometry/terrain_shape.h"
 #include "plugin/models.h"
-#include "plugin/point_cloud.h"
 #include "scenario/leaning_holes.h"
 #include "scenario/table_cells.h"
+#include "survey/point_cloud.h"
 
 namespace flyrock {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/face_survey.h"
 #include "scenario/decode_sections.h"
+#include "survey/face_survey.h"
 
 namespace flyrock {
 

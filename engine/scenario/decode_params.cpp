@@ -8,12 +8,12 @@
 
 #include "geometry/bearing.h"
 #include "plugin/contact_law.h"
-#include "plugin/surveyed_terrain.h"
 #include "scenario/decode_shapes.h"
 #include "scenario/layer.h"
 #include "scenario/load_table.h"
 #include "scenario/normalise_params.h"
 #include "scenario/param_bounds.h"
+#include "survey/surveyed_terrain.h"
 
 namespace flyrock {
 

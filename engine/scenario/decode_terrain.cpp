@@ -8,12 +8,12 @@
 
 #include "document/wording.h"
 #include "geometry/terrain_place.h"
-#include "plugin/surveyed_terrain.h"
 #include "scenario/decode_sections.h"
 #include "scenario/ground_store.h"
 #include "scenario/load_table.h"
 #include "scenario/normalise.h"
 #include "scenario/normalise_number.h"
+#include "survey/surveyed_terrain.h"
 
 namespace flyrock {
 

@@ -7,11 +7,11 @@
 
 #include "geometry/off_terrain.h"
 #include "plugin/params.h"
-#include "plugin/raster_file.h"
 #include "scenario/decode_sections.h"
-#include "scenario/geojson_zone.h"
 #include "scenario/layer.h"
 #include "scenario/normalise.h"
+#include "survey/geojson_zone.h"
+#include "survey/raster_file.h"
 
 namespace flyrock {
 

@@ -11,9 +11,9 @@
 #include "geometry/plan_line.h"
 #include "geometry/plan_zone.h"
 #include "plugin/params.h"
-#include "plugin/vector_file.h"
 #include "scenario/normalise_params.h"
 #include "scenario/schema.h"
+#include "survey/vector_file.h"
 #include "units/units.h"
 
 namespace flyrock {

@@ -305,7 +305,7 @@ struct ClearancePlan {
   bool of_max_distance = false;            ///< use max_distance instead of runout
   int sectors = 0;                         ///< 3D: number of sectors by azimuth; 0: no sectors
   bool least_area = false;                 ///< 3D: also the area of least size
-  double radius = 0;                       ///< m, of its kernel; 0: chosen (results/least_area.h)
+  double radius = 0;                       ///< m, of its kernel; 0: chosen (results/measured/least_area.h)
   std::optional<double> customary = {};    ///< m, the legal or customary distance: the limit of the distance
   std::optional<double> known_throw = {};  ///< m, the farthest throw that is known of the site
   std::optional<double> blasts_per_year = {};
@@ -314,7 +314,8 @@ struct ClearancePlan {
 
   bool counts(int rock_group) const { return group < 0 || group == rock_group; }
   /// The share of simulated blasts that may go farther, where a rock stands for up to `weight` real ones: 1 -
-  /// (1 - p)^(1/w) per blast, so that at most p of the real ones do (results/blast_bounds.h); else p.
+  /// (1 - p)^(1/w) per blast, so that at most p of the real ones do (results/statistics/blast_bounds.h); else
+  /// p.
   double simulated_probability(double weight) const {
     return per_blast && weight > 1 ? -std::expm1(std::log1p(-probability) / weight) : probability;
   }
@@ -327,7 +328,7 @@ struct ExposurePlan {
   std::vector<Vec2> line;  ///< m; empty: at one place
   double area = 0;         ///< m2, in plan
   double spread = 0;       ///< rad, 2D: the directions in plan over which rocks are thrown evenly
-  double radius = 0;       ///< m, of the kernel; 0: chosen from the landings (results/exposure.h)
+  double radius = 0;       ///< m, of the kernel; 0: chosen from the landings (results/risk/exposure.h)
   double length = 0;       ///< m, of a vehicle; 0: none is given
   double occupied = 1;     ///< part of the time in which someone is there, on a line in each of its lengths
   bool is_stream = false;  ///< of vehicles, by `vehicles_per_hour`
@@ -390,7 +391,7 @@ struct SeriesPlan {
   int first = 1;        ///< number of trials with series
 };
 
-/// The maps of a 3D run (batch/maps.h).
+/// The maps of a 3D run (record/maps.h).
 struct MapsPlan {
   bool wanted = true;
   double cell = 0;           ///< m; 0: chosen from the ground
@@ -483,7 +484,8 @@ struct Scenario {
   Method method = Method::nscd;
   Streams streams;
   std::uint64_t trials = 1;  ///< of all runs
-  std::uint64_t outer = 1;   ///< runs with equally many trials each, one after the other (results/outer.h)
+  std::uint64_t outer =
+      1;  ///< runs with equally many trials each, one after the other (results/measured/outer.h)
   bool rock_contacts = false;
   bool body_contacts = true;
   Number gravity;

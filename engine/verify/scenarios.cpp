@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "batch/load.h"
 #include "batch/trial.h"
+#include "load/load.h"
 #include "results/results.h"
 #include "verify/check.h"
 

@@ -12,7 +12,7 @@
 #include <memory>
 #include <set>
 
-#include "plugin/vector_file.h"
+#include "survey/vector_file.h"
 
 namespace flyrock {
 

@@ -12,7 +12,7 @@
 #include <limits>
 #include <memory>
 
-#include "plugin/raster_file.h"
+#include "survey/raster_file.h"
 
 namespace flyrock {
 

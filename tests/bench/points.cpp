@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "batch/load.h"
 #include "batch/trial.h"
 #include "bench/plain_points.h"
+#include "load/load.h"
 
 using namespace flyrock;
 

@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "batch/load.h"
 #include "batch/trial.h"
+#include "load/load.h"
 #include "results/results.h"
 
 using namespace flyrock;

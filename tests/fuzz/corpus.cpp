@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "batch/safe_file.h"
+#include "files/safe_file.h"
 #include "long_scenarios.h"
 
 namespace flyrock::fuzz {

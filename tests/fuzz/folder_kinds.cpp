@@ -7,13 +7,13 @@
 #include <map>
 #include <stdexcept>
 
-#include "batch/checksums.h"
-#include "batch/safe_file.h"
 #include "cli/dispatch.h"
 #include "corpus.h"
+#include "files/safe_file.h"
 #include "host/session.h"
 #include "host/share.h"
 #include "kind.h"
+#include "load/checksums.h"
 #include "mutate_text.h"
 
 namespace flyrock::fuzz {

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "batch/load.h"
 #include "corpus.h"
 #include "kind.h"
+#include "load/load.h"
 #include "terrain_file.h"
 
 namespace flyrock::fuzz {

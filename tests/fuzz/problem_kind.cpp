@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "batch/safe_file.h"
 #include "corpus.h"
+#include "files/safe_file.h"
 #include "kind.h"
 #include "mutate_text.h"
 #include "solver/hdf5_file.h"

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "batch/load.h"
 #include "batch/trial.h"
 #include "geometry/ground.h"
+#include "load/load.h"
 
 namespace flyrock::fuzz {
 

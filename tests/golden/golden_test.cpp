@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "../cli/program.h"
-#include "batch/sha256.h"
+#include "files/sha256.h"
 #include "long_scenarios.h"
 
 using namespace flyrock::test;

@@ -8,7 +8,8 @@
 #include <fstream>
 
 #include "batch/runners.h"
-#include "batch/safe_file.h"
+#include "files/safe_file.h"
+#include "load/try_points.h"
 #include "scenarios/cases.h"
 #include "temporary_file.h"
 

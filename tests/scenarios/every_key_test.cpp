@@ -11,7 +11,7 @@
 
 #include "batch/runners.h"
 #include "document/yaml_reader.h"
-#include "results/clearance.h"
+#include "results/measured/clearance.h"
 #include "scenario/decode.h"
 #include "scenario/schema.h"
 

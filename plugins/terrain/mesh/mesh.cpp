@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/mesh_gaps.h"
-#include "geometry/mesh_repair.h"
-#include "plugin/surveyed_terrain.h"
 #include "plugins/factories.h"
 #include "plugins/terrain/mesh/mesh_file.h"
+#include "survey/mesh_gaps.h"
+#include "survey/mesh_repair.h"
+#include "survey/surveyed_terrain.h"
 #include "units/units.h"
 
 namespace flyrock::plugins {

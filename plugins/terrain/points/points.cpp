@@ -5,14 +5,14 @@
 #include <stdexcept>
 
 #include "geometry/delaunay.h"
-#include "geometry/fill_voids.h"
 #include "geometry/mesh_edges.h"
 #include "geometry/mesh_fault.h"
-#include "geometry/mesh_repair.h"
 #include "geometry/terrain_fault.h"
-#include "plugin/point_cloud.h"
-#include "plugin/surveyed_terrain.h"
 #include "plugins/factories.h"
+#include "survey/fill_voids.h"
+#include "survey/mesh_repair.h"
+#include "survey/point_cloud.h"
+#include "survey/surveyed_terrain.h"
 
 namespace flyrock::plugins {
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "plugin/surveyed_terrain.h"
 #include "plugins/factories.h"
 #include "plugins/read_points.h"
+#include "survey/surveyed_terrain.h"
 
 namespace flyrock::plugins {
 

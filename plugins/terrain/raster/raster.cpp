@@ -6,11 +6,11 @@
 #include <limits>
 #include <map>
 
-#include "geometry/fill_voids.h"
 #include "geometry/terrain_fault.h"
-#include "plugin/raster_file.h"
-#include "plugin/surveyed_terrain.h"
 #include "plugins/factories.h"
+#include "survey/fill_voids.h"
+#include "survey/raster_file.h"
+#include "survey/surveyed_terrain.h"
 
 namespace flyrock::plugins {
 

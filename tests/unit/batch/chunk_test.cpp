@@ -6,7 +6,7 @@
 
 #include "batch/inputs.h"
 #include "batch/record_check.h"
-#include "batch/sha256.h"
+#include "files/sha256.h"
 #include "record/columns.h"
 
 using namespace flyrock;

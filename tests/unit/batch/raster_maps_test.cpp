@@ -1,7 +1,7 @@
 // The cells of maps over a raster are its own, so that a GIS lays one over the other.
 
-#include "batch/map_cells.h"
 #include "load.h"
+#include "trial/map_cells.h"
 
 using namespace flyrock;
 

@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "batch/chunk_files.h"
-#include "batch/safe_file.h"
+#include "files/safe_file.h"
 #include "host/wording.h"
 
 using namespace flyrock;

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "load.h"
-#include "results/contact_measure.h"
+#include "results/measured/contact_measure.h"
 
 using namespace flyrock;
 

@@ -1,6 +1,6 @@
 // The outline of the blasting area, against closed forms.
 
-#include "report/area_outline.h"
+#include "report/exports/area_outline.h"
 
 #include <catch2/catch.hpp>
 

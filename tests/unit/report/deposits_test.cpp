@@ -1,6 +1,6 @@
 // Where the plan shows that rocks ended.
 
-#include "report/deposits.h"
+#include "report/page/deposits.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

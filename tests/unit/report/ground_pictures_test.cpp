@@ -1,11 +1,11 @@
 // The grounds of a 3D run for exports and for the page.
-#include "report/ground_pictures.h"
+#include "report/pictures/ground_pictures.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "report/deposits.h"
-#include "report/ground_data.h"
+#include "report/page/deposits.h"
+#include "report/page/ground_data.h"
 
 using namespace flyrock;
 

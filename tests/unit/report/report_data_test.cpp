@@ -4,12 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "batch/inputs.h"
-#include "batch/load.h"
-#include "report/convergence.h"
-#include "report/rounded.h"
-#include "report/sensitivity.h"
-#include "report/tracks.h"
-#include "results/material_graphs.h"
+#include "load/load.h"
+#include "report/page/convergence.h"
+#include "report/page/rounded.h"
+#include "report/page/sensitivity.h"
+#include "report/page/tracks.h"
+#include "results/measured/material_graphs.h"
 
 using namespace flyrock;
 

@@ -7,17 +7,17 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "batch/safe_file.h"
 #include "document/yaml_reader.h"
-#include "report/html.h"
-#include "report/report_data.h"
-#include "report/runout_data.h"
-#include "report/scenario_text.h"
-#include "report/summary_data.h"
-#include "report/tables.h"
-#include "report/tracks.h"
-#include "report/used_sources.h"
-#include "results/answer.h"
+#include "files/safe_file.h"
+#include "report/page/html.h"
+#include "report/page/report_data.h"
+#include "report/page/runout_data.h"
+#include "report/page/scenario_text.h"
+#include "report/page/tracks.h"
+#include "report/page/used_sources.h"
+#include "report/tables/summary_data.h"
+#include "report/tables/tables.h"
+#include "results/say/answer.h"
 #include "unit/results/fake_results.h"
 #include "units/units.h"
 

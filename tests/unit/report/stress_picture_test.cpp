@@ -1,6 +1,6 @@
 // The picture of a deformable body that is stressed most.
 
-#include "report/stress_picture.h"
+#include "report/pictures/stress_picture.h"
 
 #include <catch2/catch.hpp>
 

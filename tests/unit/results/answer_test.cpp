@@ -1,10 +1,10 @@
 // The answer in words: shares with their intervals, what barriers did, where censored rocks were.
 
-#include "results/answer.h"
+#include "results/say/answer.h"
 
 #include <catch2/catch.hpp>
 
-#include "results/answer_shares.h"
+#include "results/say/answer_shares.h"
 #include "unit/results/fake_results.h"
 
 using namespace flyrock;

@@ -1,10 +1,10 @@
 // Many bodies as a whole.
 
-#include "results/assembly.h"
+#include "results/measured/assembly.h"
 
 #include <catch2/catch.hpp>
 
-#include "results/measures.h"
+#include "results/measured/measures.h"
 #include "scenario/measure.h"
 
 namespace assembly_test {

@@ -1,10 +1,10 @@
 // Which barriers of a sweep hold enough, from counts that are known.
 
-#include "results/barrier_choice.h"
+#include "results/compare/barrier_choice.h"
 
 #include <catch2/catch.hpp>
 
-#include "results/answer.h"
+#include "results/say/answer.h"
 #include "unit/results/fake_results.h"
 
 using namespace flyrock;

@@ -1,6 +1,6 @@
 // Bounds of the probability per blast of rocks that stand for several real ones.
 
-#include "results/blast_bounds.h"
+#include "results/statistics/blast_bounds.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "random/stream.h"
-#include "results/crossing_summary.h"
+#include "results/measured/crossing_summary.h"
 
 using namespace flyrock;
 

@@ -1,14 +1,14 @@
 // The fit of numbers to what was measured, on models that are known.
 
-#include "results/calibration.h"
+#include "results/compare/calibration.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
 
 #include "random/stream.h"
-#include "results/misfit.h"
-#include "results/varied_number.h"
+#include "results/compare/misfit.h"
+#include "results/compare/varied_number.h"
 
 namespace flyrock::calibration_test {
 

@@ -1,5 +1,5 @@
 // The cells of a ground beside the diameters of the rocks on it.
-#include "results/cell_size.h"
+#include "results/say/cell_size.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 // Clearances: their safety factor, their areas, their groups.
 
-#include "results/clearance.h"
+#include "results/measured/clearance.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

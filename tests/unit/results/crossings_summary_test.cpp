@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "record/rows.h"
-#include "results/measures.h"
+#include "results/measured/measures.h"
 
 using namespace flyrock;
 

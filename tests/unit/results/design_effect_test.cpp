@@ -1,12 +1,12 @@
 // Intervals of rocks that share the draws of their trial.
-#include "results/design_effect.h"
+#include "results/statistics/design_effect.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
-#include "results/share.h"
+#include "results/statistics/share.h"
 
 using namespace flyrock;
 

@@ -1,6 +1,6 @@
 // Paired differences of sweep points, against closed forms.
 
-#include "results/differences.h"
+#include "results/compare/differences.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

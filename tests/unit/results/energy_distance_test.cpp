@@ -1,6 +1,6 @@
 // Energy distances against closed forms and against all pairs.
 
-#include "results/energy_distance.h"
+#include "results/statistics/energy_distance.h"
 
 #include <array>
 #include <boost/math/distributions/normal.hpp>

@@ -1,12 +1,12 @@
 // What a sensitivity analysis says in sentences.
 
-#include "results/explained_variance.h"
+#include "results/statistics/explained_variance.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "report/variance_page.h"
+#include "report/page/variance_page.h"
 
 using namespace flyrock;
 

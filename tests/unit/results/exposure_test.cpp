@@ -1,6 +1,6 @@
 // Who is hit: probabilities against closed forms.
 
-#include "results/exposure.h"
+#include "results/risk/exposure.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

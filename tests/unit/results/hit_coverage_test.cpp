@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "random/stream.h"
-#include "results/exposure.h"
+#include "results/risk/exposure.h"
 
 using namespace flyrock;
 

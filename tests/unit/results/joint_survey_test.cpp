@@ -1,4 +1,4 @@
-#include "results/joint_survey.h"
+#include "results/statistics/joint_survey.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The area of least size, on throws whose laws are known.
 
-#include "results/least_area.h"
+#include "results/measured/least_area.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "geometry/plan_zone.h"
 #include "random/stream.h"
-#include "results/clearance.h"
+#include "results/measured/clearance.h"
 
 namespace flyrock::least_area_test {
 

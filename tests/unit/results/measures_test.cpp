@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "record/rows.h"
-#include "results/expectations.h"
+#include "results/compare/expectations.h"
 #include "scenario/plan.h"
 
 using namespace flyrock;

@@ -1,6 +1,6 @@
 // The comparison of a model with measured rows, on samples that are known.
 
-#include "results/observation.h"
+#include "results/compare/observation.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

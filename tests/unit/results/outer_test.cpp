@@ -1,5 +1,5 @@
 // Several runs of a scenario (`outer`), each with its own draws `per: run`.
-#include "results/outer.h"
+#include "results/measured/outer.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Where rocks were: the window of pictures and the line of the long section.
-#include "results/plan_reach.h"
+#include "results/measured/plan_reach.h"
 
 #include <catch2/catch.hpp>
 

@@ -1,12 +1,12 @@
 // The questions of a permit: the texts of the table and of the first sentence, from counts that are known.
 
-#include "results/questions.h"
+#include "results/say/questions.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "results/share.h"
-#include "results/wording.h"
+#include "results/say/wording.h"
+#include "results/statistics/share.h"
 
 using namespace flyrock;
 

@@ -1,4 +1,4 @@
-#include "results/rank_correlation.h"
+#include "results/statistics/rank_correlation.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

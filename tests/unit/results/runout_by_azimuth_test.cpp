@@ -1,9 +1,9 @@
 // The runout by azimuth: rocks count by the direction from their own release.
-#include "results/runout_by_azimuth.h"
+#include "results/measured/runout_by_azimuth.h"
 
 #include <catch2/catch.hpp>
 
-#include "results/sectors.h"
+#include "results/measured/sectors.h"
 
 using namespace flyrock;
 

@@ -1,4 +1,4 @@
-#include "results/sample.h"
+#include "results/statistics/sample.h"
 
 #include <boost/math/distributions/lognormal.hpp>
 #include <boost/math/distributions/pareto.hpp>
@@ -7,7 +7,7 @@
 
 #include "random/stream.h"
 #include "record/rows.h"
-#include "results/clearance.h"
+#include "results/measured/clearance.h"
 
 using namespace flyrock;
 

@@ -1,4 +1,4 @@
-#include "results/selection.h"
+#include "results/statistics/selection.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

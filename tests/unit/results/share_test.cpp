@@ -1,6 +1,6 @@
 // Intervals of shares against published and closed values.
 
-#include "results/share.h"
+#include "results/statistics/share.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The skill of a model for a held group, on samples with skill and without.
 
-#include "results/skill.h"
+#include "results/compare/skill.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Sobol's indices of functions whose indices are known.
 
-#include "results/sobol.h"
+#include "results/statistics/sobol.h"
 
 #include <array>
 #include <catch2/catch.hpp>
@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "random/sampling.h"
-#include "results/input_response.h"
+#include "results/statistics/input_response.h"
 
 using namespace flyrock;
 

@@ -1,6 +1,6 @@
 // Greatest throws of a model beside measured ones.
 
-#include "results/throws.h"
+#include "results/compare/throws.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>

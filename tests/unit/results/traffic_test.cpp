@@ -1,13 +1,13 @@
 // A stream of vehicles and the stones of a blast on a road.
 
-#include "results/traffic.h"
+#include "results/risk/traffic.h"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "random/stream.h"
-#include "results/exposure.h"
+#include "results/risk/exposure.h"
 
 using namespace flyrock;
 

@@ -1,12 +1,12 @@
 // The number of each trial that a sensitivity analysis explains, by hand.
 
-#include "results/trial_measure.h"
+#include "results/measured/trial_measure.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "load.h"
-#include "results/exposure_kernel.h"
+#include "results/risk/exposure_kernel.h"
 
 using namespace flyrock;
 

@@ -1,12 +1,12 @@
 // Rocks that stand for several real ones, in the numbers over several groups.
 
-#include "results/weights.h"
+#include "results/say/weights.h"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "report/tables.h"
-#include "results/answer.h"
+#include "report/tables/tables.h"
+#include "results/say/answer.h"
 #include "unit/results/fake_results.h"
 
 using namespace flyrock;

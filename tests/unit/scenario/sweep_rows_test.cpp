@@ -9,9 +9,9 @@
 #include <fstream>
 #include <set>
 
-#include "batch/load.h"
 #include "batch/trial.h"
-#include "results/statistics.h"
+#include "load/load.h"
+#include "results/statistics/statistics.h"
 #include "scenario/trial_design.h"
 
 using namespace flyrock;

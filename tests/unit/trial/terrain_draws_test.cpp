@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "batch/load.h"
+#include "load/load.h"
 #include "trial/build_trial.h"
 #include "unit/lua_fixture.h"
 
