@@ -104,6 +104,7 @@ class PointTally {
   PointResult result(std::uint64_t trials) {
     end_first();
     if (scenario_.method == Method::ballistic) result_.maps.find_hit_density(trials);
+    const Told told = measures_.told();
     measures_.put(result_, trials);
     result_.risk = risk_.summary();
     result_.censored = censored_.places();
@@ -112,8 +113,9 @@ class PointTally {
     if (diameters_.size() > 0)
       result_.diameters = {diameters_.quantile(0.05).value, diameters_.quantile(0.5).value};
     for (std::size_t g = 0; g < result_.groups.size() && g < azimuths_.size(); ++g)
-      result_.azimuths.push_back(azimuths_[g].summary());
-    if (scenario_.method == Method::ballistic) result_.reaches = reaches_of(scenario_, result_.groups);
+      result_.azimuths.push_back(azimuths_[g].summary(told));
+    if (scenario_.method == Method::ballistic && told == Told::all)
+      result_.reaches = reaches_of(scenario_, result_.groups);
     return std::move(result_);
   }
 

@@ -326,6 +326,10 @@ expect:
   CHECK(lost["rocks"][0]["reason"] == "lost");
   CHECK(lost["gates"][0]["passed"].is_null());
   CHECK(lost["gates"][0]["reason"] == "lost");
+  CHECK(lost["gates"][0]["rocks"].is_number());
+  CHECK(lost["gates"][0]["speed"]["p50"].is_null());
+  CHECK(lost["gates"][0]["speed"]["design_effect"]["p50"].is_null());
+  CHECK(lost["gates"][0]["shares"]["passed"]["per_trial"]["upper"].is_null());
   const auto verdicts = nlohmann::json::parse(read(folder.path() / "r/summary.json")).at("expectations");
   for (const auto& verdict : verdicts)
     if (verdict["point"] == 2) CHECK(verdict["passed"] == (verdict["measure"] == "rocks.count"));

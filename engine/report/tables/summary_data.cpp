@@ -92,7 +92,7 @@ Json group_data(const GroupSummary& group) {
   Json data = {{"group", group.name.empty() ? Json(nullptr) : Json(group.name)},
                {"count", group.count},
                {"faults", group.faults},
-               {"censored", group.censored_share.value},
+               {"censored", number(group.censored_share.value)},
                {"stop_reasons", reasons},
                {"share_intervals", intervals}};
   Json time = Json::object(), distance = Json::object();
@@ -110,48 +110,14 @@ Json group_data(const GroupSummary& group) {
   return data;
 }
 
-/// Makes all numbers in a value null. What tells bounds from values has nothing left to tell.
-void forget(Json& value) {
-  if (value.is_number()) value = nullptr;
-  if (value.is_boolean()) value = false;
-  if (value.is_array() && !value.empty() && value.front().is_string()) value = Json::array();
-  if (value.is_structured())
-    for (Json& inner : value) forget(inner);
-}
-
-/// The same for the members of a map, except those named in `kept`, and says why.
-void forget_numbers(Json& data, const std::vector<std::string>& kept) {
-  for (auto& [key, value] : data.items())
-    if (std::find(kept.begin(), kept.end(), key) == kept.end()) forget(value);
-  data["reason"] = "lost";
-}
-
-/// What is left of a point that lost too many rocks: counts, stop reasons, places and what was asked for.
-void forget_statistics(Json& point) {
-  for (Json& group : point["rocks"]) forget_numbers(group, {"group", "count", "faults", "stop_reasons"});
-  for (Json& gate : point["gates"]) forget_numbers(gate, {"gate", "x", "line", "rocks"});
-  for (Json& barrier : point["barriers"])
-    forget_numbers(
-        barrier, {"barrier", "x", "line", "height_m", "capacity_J", "inclination_deg", "freeboard_m", "level",
-                  "energy_factor", "height_factor", "held_height_m", "held_energy_J", "rocks", "counts"});
-  if (point.contains("trees")) forget_numbers(point["trees"], {"hits", "counts"});
-  for (Json& clearance : point["clearance"]) {
-    forget_numbers(clearance,
-                   {"clearance", "group", "probability", "per", "of", "count", "rocks_per_blast", "weight",
-                    "upper_bound", "needed", "confidence", "factor", "area", "area_least", "customary",
-                    "known_throw", "beyond_known_throw", "blasts_per_year"});
-    if (clearance.contains("area")) clearance["area"]["sectors"] = Json::array();
-    if (clearance.contains("area_least")) {
-      forget_numbers(clearance["area_least"], {"probability", "effective"});
-      clearance["area_least"]["polygons"] = Json::array();
-    }
-  }
-  if (point.contains("exposure"))
-    for (Json& exposed : point["exposure"])
-      forget_numbers(exposed,
-                     {"exposure", "at", "line", "area_m2", "energy_J", "occupied", "blasts_per_year"});
-  for (Json& azimuths : point["runout_by_azimuth"])
-    if (azimuths.contains("sectors")) azimuths["sectors"] = Json::array();
+/// Says why the numbers of a point are null that lost too many rocks.
+void say_lost(Json& point) {
+  for (const char* list : {"rocks", "gates", "barriers", "clearance", "exposure"})
+    if (point.contains(list))
+      for (Json& item : point[list]) item["reason"] = "lost";
+  if (point.contains("trees")) point["trees"]["reason"] = "lost";
+  for (Json& clearance : point["clearance"])
+    if (clearance.contains("area_least")) clearance["area_least"]["reason"] = "lost";
 }
 
 /// Where a gate or barrier stands: at x, or along a line [[x, y], ...]; the other is null.
@@ -340,8 +306,8 @@ Json area_data(const AreaSummary& area, double north) {
                     {"distance", number(sector.distance.value)},
                     {"lower_bound", sector.greatest.censored},
                     {"with_factor", number(sector.with_factor)}});
-  return {{"x", area.centre.x()},
-          {"y", area.centre.y()},
+  return {{"x", number(area.centre.x())},
+          {"y", number(area.centre.y())},
           {"hull", hull},
           {"beyond", area.beyond ? Json(*area.beyond) : Json(nullptr)},
           {"effective", number(area.effective)},
@@ -580,7 +546,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
     Json groups = Json::array();
     for (const GroupSummary& group : point.groups) {
       groups.push_back(group_data(group));
-      if (weighted) groups.back()["weight"] = group.weight;
+      if (weighted) groups.back()["weight"] = number(group.weight);
     }
     points.push_back({{"point", p},
                       {"at", at_point(plan, p)},
@@ -606,7 +572,7 @@ nlohmann::ordered_json summary_data(const Plan& plan, const Results& results) {
       points.back()["exposure"] = exposures_data(plan.points[p], point.exposures);
     if (const std::vector<Question> asked = questions(plan.points[p], point); !asked.empty())
       points.back()["questions"] = questions_data(asked);
-    if (has_lost(plan.points[p], point)) forget_statistics(points.back());
+    if (has_lost(plan.points[p], point)) say_lost(points.back());
     if (point.observation)
       points.back()["observed"] = has_lost(plan.points[p], point)
                                       ? Json{{"reason", "lost"}}

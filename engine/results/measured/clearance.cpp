@@ -111,27 +111,33 @@ BlastsBeyond ClearanceTally::beyond(std::size_t clearance, double distance) cons
   return {distance, rocks_[clearance].farthest.size(), bounds_of(simulated), share.censored};
 }
 
-std::vector<ClearanceSummary> ClearanceTally::summaries() const {
+void ClearanceTally::put_distances(std::size_t c, ClearanceSummary& summary) const {
+  const ClearancePlan& plan = plans_[c];
+  summary.interval = {unknown, unknown};
+  if (plan.sectors > 0) {
+    summary.area = sectors_[c].summary();
+    take_farthest(summary);
+  } else if (summary.count >= summary.needed) {
+    summary.interval = samples_[c].quantile_interval(1 - probability(c), plan.confidence);
+    if (summary.enough()) summary.distance = samples_[c].quantile(1 - probability(c));
+  }
+  if (plan.factor) summary.with_factor = *plan.factor * summary.distance.value;
+  if (plan.sectors == 0 && !std::isnan(summary.distance.value))
+    summary.beyond_distance = beyond(c, summary.distance.value);
+  if (plan.customary) summary.beyond_customary = beyond(c, *plan.customary);
+}
+
+std::vector<ClearanceSummary> ClearanceTally::summaries(Told told) const {
   std::vector<ClearanceSummary> summaries;
   for (std::size_t c = 0; c < plans_.size(); ++c) {
-    const ClearancePlan& plan = plans_[c];
     ClearanceSummary& summary = summaries.emplace_back();
     summary.count = samples_[c].size();
     summary.rocks = rocks_[c].rocks;
     if (rocks_[c].weights.any_rock()) summary.weight = rocks_[c].weights.greatest();
     summary.needed = needed_for(probability(c));
-    if (plan.sectors > 0) {
-      summary.area = sectors_[c].summary();
-      take_farthest(summary);
-    } else if (summary.count >= summary.needed) {
-      summary.interval = samples_[c].quantile_interval(1 - probability(c), plan.confidence);
-      if (summary.enough()) summary.distance = samples_[c].quantile(1 - probability(c));
-    }
-    summary.least_area = least_areas_[c].summary();
-    if (plan.factor) summary.with_factor = *plan.factor * summary.distance.value;
-    if (plan.sectors == 0 && !std::isnan(summary.distance.value))
-      summary.beyond_distance = beyond(c, summary.distance.value);
-    if (plan.customary) summary.beyond_customary = beyond(c, *plan.customary);
+    if (plans_[c].customary) summary.beyond_customary = BlastsBeyond{.distance = *plans_[c].customary};
+    summary.least_area = least_areas_[c].summary(told);
+    if (told == Told::all) put_distances(c, summary);
   }
   return summaries;
 }

@@ -17,7 +17,7 @@ struct BlastsBeyond {
   double distance = unknown;  ///< m
   std::uint64_t blasts = 0;   ///< n
   /// k of n trials, exact (Clopper and Pearson); with weights the bounds for the greatest of them.
-  BlastBounds share{unknown, unknown, {unknown, unknown}, 1};
+  BlastBounds share = unknown_bounds;
   bool is_lower_bound = false;  ///< a rock that was cut short nearer may have gone beyond
 };
 
@@ -31,7 +31,7 @@ struct ClearanceSummary {
   /// NaN if there are too few rocks or trials. With sectors, the greatest distance of the area, without an
   /// interval: the area holds with stated_confidence.
   Bounded distance{unknown, false};
-  Interval interval{unknown, unknown};  ///< with trials_needed if too few trials reach beyond the distance
+  Interval interval = unknown_interval;  ///< with trials_needed if too few trials reach beyond the distance
   /// factor x distance; NaN without a factor. The factor is applied only here and not to the interval.
   double with_factor = unknown;
 
@@ -58,7 +58,7 @@ class ClearanceTally {
   void add(const TrialRecords& chunk);
   bool needs_another_pass();
   /// In the order of Scenario::clearances.
-  std::vector<ClearanceSummary> summaries() const;
+  std::vector<ClearanceSummary> summaries(Told told = Told::all) const;
 
  private:
   /// The rocks of a clearance, counted in the first pass.
@@ -69,6 +69,8 @@ class ClearanceTally {
   };
   double probability(std::size_t clearance) const;
   BlastsBeyond beyond(std::size_t clearance, double distance) const;
+  /// Adds the distances, intervals and areas to the counts.
+  void put_distances(std::size_t clearance, ClearanceSummary& summary) const;
 
   std::vector<ClearancePlan> plans_;
   std::vector<Sample> samples_;       ///< distances

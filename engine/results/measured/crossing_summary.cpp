@@ -38,12 +38,13 @@ void TreeTally::add(const TrialRecords& chunk) {
   }
 }
 
-TreeSummary TreeTally::summary() {
+TreeSummary TreeTally::summary(Told told) {
   shares_.close();
   TreeSummary summary;
   summary.hits = hits_;
   summary.hit = shares_.counted(hit);
   summary.stopped = shares_.counted(stops);
+  if (told == Told::counts) return summary;
   summary.hit_share = shares_.of_rocks(hit);
   summary.stopped_share = shares_.of_rocks(stops);
   summary.mean_hits = weighted_hits_ / weight_;
@@ -158,31 +159,37 @@ std::vector<const CrossingTally::Arrivals*> CrossingTally::at_place(
   return list;
 }
 
-CrossingSummary CrossingTally::summary(std::span<const CrossingTally> groups) const {
+CrossingSummary CrossingTally::summary(Told told, std::span<const CrossingTally> groups) const {
   CrossingSummary summary;
   for (const Arrivals& at : gates_) {
     const auto of_groups = at_place(groups, &CrossingTally::gates_, summary.gates.size());
+    GateSummary& gate = summary.gates.emplace_back();
+    gate.passed = at.of_all.counted();
+    if (told == Told::counts) continue;
     const bool open = at.of_all.open() > 0;
-    summary.gates.push_back({at.of_all.counted(), at.shares(0, of_groups), lower_bounds(at.speed, open),
-                             lower_bounds(at.energy, open), lower_bounds(at.height, open),
-                             intervals_of(at.speed), intervals_of(at.energy), intervals_of(at.height),
-                             at.along});
+    gate.shares = at.shares(0, of_groups);
+    gate.speed = lower_bounds(at.speed, open);
+    gate.energy = lower_bounds(at.energy, open);
+    gate.height = lower_bounds(at.height, open);
+    gate.speed_intervals = intervals_of(at.speed);
+    gate.energy_intervals = intervals_of(at.energy);
+    gate.height_intervals = intervals_of(at.height);
+    gate.along = at.along;
   }
   for (const Arrivals& at : barriers_) {
     const auto of_groups = at_place(groups, &CrossingTally::barriers_, summary.barriers.size());
     BarrierSummary& barrier = summary.barriers.emplace_back();
-    for (std::size_t s = 0; s < barrier.shares.size(); ++s) {
-      barrier.counts[s] = at.of_all.counted(s);
-      barrier.shares[s] = at.shares(s, of_groups);
-    }
+    for (std::size_t s = 0; s < barrier.counts.size(); ++s) barrier.counts[s] = at.of_all.counted(s);
     barrier.not_reached = at.of_all.rocks() - barrier.count(BarrierShare::reached);
+    if (told == Told::counts) continue;
+    for (std::size_t s = 0; s < barrier.shares.size(); ++s) barrier.shares[s] = at.shares(s, of_groups);
     const bool open = at.of_all.open() > 0;
     barrier.energy = lower_bounds(at.energy, open);
     barrier.height = lower_bounds(at.height, open);
     barrier.energy_intervals = intervals_of(at.energy);
     barrier.height_intervals = intervals_of(at.height);
   }
-  summary.caught = caught_.of_rocks();
+  if (told == Told::all) summary.caught = caught_.of_rocks();
   return summary;
 }
 
@@ -210,11 +217,11 @@ bool CrossingTallies::needs_another_pass() {
   return more;
 }
 
-std::vector<CrossingSummary> CrossingTallies::summaries() const {
+std::vector<CrossingSummary> CrossingTallies::summaries(Told told) const {
   std::vector<CrossingSummary> summaries;
   const std::span groups = std::span(tallies_).subspan(1);
-  summaries.push_back(tallies_.front().summary(groups));
-  for (const CrossingTally& group : groups) summaries.push_back(group.summary());
+  summaries.push_back(tallies_.front().summary(told, groups));
+  for (const CrossingTally& group : groups) summaries.push_back(group.summary(told));
   return summaries;
 }
 

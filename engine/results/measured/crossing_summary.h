@@ -16,10 +16,11 @@ namespace flyrock {
 
 /// A share in its three senses.
 struct Shares {
-  Share of_all;       ///< of all rocks
-  Share of_arriving;  ///< of the rocks that arrive; of a gate all pass
-  Share per_trial;    ///< of the trials: those with at least one such rock; with weights `blast.upper`
-  BlastBounds blast;  ///< of the probability that at least one such real rock comes with a blast
+  Share of_all = unknown_share;       ///< of all rocks
+  Share of_arriving = unknown_share;  ///< of the rocks that arrive; of a gate all pass
+  /// Of the trials: those with at least one such rock; with weights `blast.upper`.
+  Share per_trial = unknown_share;
+  BlastBounds blast = unknown_bounds;  ///< that at least one such real rock comes with a blast
 };
 
 /// The rocks without faults of one sweep point, or of one of its groups, at one place. A censored rock that
@@ -28,8 +29,10 @@ struct Shares {
 struct GateSummary {
   std::uint64_t passed = 0;  ///< rocks
   Shares shares;
-  Statistics speed{}, energy{}, height{};  ///< of the rocks that passed, at the gate
-  Intervals speed_intervals{}, energy_intervals{}, height_intervals{};
+  /// Of the rocks that passed, at the gate.
+  Statistics speed = unknown_statistics, energy = unknown_statistics, height = unknown_statistics;
+  Intervals speed_intervals = unknown_intervals, energy_intervals = unknown_intervals,
+            height_intervals = unknown_intervals;
   std::map<int, double> along = {};  ///< rocks (or their weights) that passed, by bin along the line
 };
 
@@ -46,8 +49,9 @@ struct BarrierSummary {
   std::array<std::uint64_t, barrier_share_names.size()> counts{};  ///< rocks, indexed by BarrierShare
   std::uint64_t not_reached = 0;                                   ///< rocks that did not arrive
   std::array<Shares, barrier_share_names.size()> shares{};         ///< indexed by BarrierShare
-  Statistics energy{}, height{};  ///< of the rocks that arrived, before the barrier acts
-  Intervals energy_intervals{}, height_intervals{};
+  /// Of the rocks that arrived, before the barrier acts.
+  Statistics energy = unknown_statistics, height = unknown_statistics;
+  Intervals energy_intervals = unknown_intervals, height_intervals = unknown_intervals;
 
   std::uint64_t count(BarrierShare what) const { return counts[static_cast<std::size_t>(what)]; }
   const Shares& share(BarrierShare what) const { return shares[static_cast<std::size_t>(what)]; }
@@ -57,7 +61,7 @@ struct BarrierSummary {
 struct CrossingSummary {
   std::vector<GateSummary> gates;        ///< in the order of Scenario::gates
   std::vector<BarrierSummary> barriers;  ///< in the order of Scenario::barriers
-  Share caught;                          ///< by any barrier, of all rocks
+  Share caught = unknown_share;          ///< by any barrier, of all rocks
 };
 
 /// The rocks without faults of one sweep point and the trees. A rock that left the domain hits no more trees,
@@ -66,15 +70,15 @@ struct TreeSummary {
   std::uint64_t hits = 0;     ///< of all rocks
   std::uint64_t hit = 0;      ///< rocks that hit at least one
   std::uint64_t stopped = 0;  ///< rocks that a tree stopped
-  Share hit_share, stopped_share;
-  double mean_hits = 0;  ///< of a rock; a lower bound where `stopped_share` is one
+  Share hit_share = unknown_share, stopped_share = unknown_share;
+  double mean_hits = unknown;  ///< of a rock; a lower bound where `stopped_share` is one
 };
 
 /// Counts the hits of trees, in one pass.
 class TreeTally {
  public:
   void add(const TrialRecords& chunk);
-  TreeSummary summary();
+  TreeSummary summary(Told told = Told::all);
 
  private:
   static constexpr std::size_t hit = 0, stops = 1;  ///< shares
@@ -92,7 +96,7 @@ class CrossingTally {
            std::span<const BarrierRecord> barriers);
   bool needs_another_pass();
   /// `groups`: the tallies of the groups of these rocks, if there are several.
-  CrossingSummary summary(std::span<const CrossingTally> groups = {}) const;
+  CrossingSummary summary(Told told, std::span<const CrossingTally> groups = {}) const;
 
  private:
   /// The arrivals at one place.
@@ -131,7 +135,7 @@ class CrossingTallies {
   CrossingTallies(const Scenario& scenario);
   void add(const TrialRecords& chunk);
   bool needs_another_pass();
-  std::vector<CrossingSummary> summaries() const;
+  std::vector<CrossingSummary> summaries(Told told = Told::all) const;
 
  private:
   std::vector<CrossingTally> tallies_;

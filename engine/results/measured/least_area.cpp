@@ -255,7 +255,8 @@ bool LeastAreaTally::needs_another_pass(const std::optional<Clearance>& clearanc
   return circle || stage_ != Stage::done;
 }
 
-LeastArea LeastAreaTally::summary() const {
+LeastArea LeastAreaTally::summary(Told told) const {
+  if (told == Told::counts) return {.effective = area_.effective, .censored = area_.censored};
   LeastArea area = area_;
   const AreaSummary circle = circle_.summary();
   if (!plan_.least_area || !circle.beyond || circle.sectors.empty()) return area;

@@ -28,12 +28,12 @@
 namespace flyrock {
 
 struct LeastArea {
-  std::optional<std::uint64_t> beyond;  ///< k; none: there is no area
-  double effective = 0;                 ///< N
-  double radius = unknown;              ///< m, R
+  std::optional<std::uint64_t> beyond = {};  ///< k; none: there is no area
+  double effective = 0;                      ///< N
+  double radius = unknown;                   ///< m, R
   double hectares = unknown;
-  std::vector<PlanRing> polygons;  ///< counter-clockwise; they do not overlap
-  std::uint64_t censored = 0;      ///< rocks that count where they were last seen
+  std::vector<PlanRing> polygons = {};  ///< counter-clockwise; they do not overlap
+  std::uint64_t censored = 0;           ///< rocks that count where they were last seen
 
   /// The circle about the hull of the releases that holds with the same confidence: the area of one sector.
   double circle_distance = unknown, circle_hectares = unknown;
@@ -66,7 +66,7 @@ class LeastAreaTally {
     double distance = 0, design_effect = 1;
   };
   bool needs_another_pass(const std::optional<Clearance>& clearance);
-  LeastArea summary() const;
+  LeastArea summary(Told told = Told::all) const;
 
  private:
   enum class Stage { extent, waiting, spread, choose, judge, done };

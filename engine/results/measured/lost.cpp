@@ -4,8 +4,7 @@
 
 namespace flyrock {
 
-bool has_lost(const Scenario& scenario, const PointResult& point) {
-  const GroupSummary& all = point.groups.front();
+bool has_lost(const Scenario& scenario, const GroupSummary& all) {
   return scenario.bodies.empty() &&
          static_cast<double>(all.faults) > most_lost * static_cast<double>(all.count);
 }

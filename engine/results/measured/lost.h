@@ -12,7 +12,10 @@ namespace flyrock {
 inline constexpr double most_lost = 0.05;
 
 /// Whether a point lost more rocks than that. Scenarios of `bodies` have no percentiles to lose.
-bool has_lost(const Scenario& scenario, const PointResult& point);
+bool has_lost(const Scenario& scenario, const GroupSummary& all);
+inline bool has_lost(const Scenario& scenario, const PointResult& point) {
+  return has_lost(scenario, point.groups.front());
+}
 
 /// "lost: 6 of 100 rocks failed, and above 5 % nothing is said of the others"
 std::string lost_text(const PointResult& point);

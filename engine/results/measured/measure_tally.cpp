@@ -1,11 +1,13 @@
 #include "results/measured/measure_tally.h"
 
+#include "results/measured/lost.h"
 #include "scenario/trial_design.h"
 
 namespace flyrock {
 
 MeasureTally::MeasureTally(const Scenario& scenario)
-    : rocks_(group_names(scenario), trials_of_unit(scenario)),
+    : scenario_(scenario),
+      rocks_(group_names(scenario), trials_of_unit(scenario)),
       crossings_(scenario),
       clearances_(scenario.clearances),
       exposures_(scenario) {
@@ -39,14 +41,17 @@ std::optional<std::vector<double>> MeasureTally::clearance_distances() const {
   return distances;
 }
 
+Told MeasureTally::told() const { return has_lost(scenario_, rocks_.counts()) ? Told::counts : Told::all; }
+
 void MeasureTally::put(PointResult& result, std::uint64_t trials) {
+  const Told told = this->told();
   result.trials = trials;
-  result.groups = rocks_.summaries();
-  result.crossings = crossings_.summaries();
-  if (trees_) result.trees = trees_->summary();
+  result.groups = rocks_.summaries(told);
+  result.crossings = crossings_.summaries(told);
+  if (trees_) result.trees = trees_->summary(told);
   if (!blocks_.empty()) result.blocks = blocks_.summary();
-  result.clearances = clearances_.summaries();
-  result.exposures = exposures_.summaries(trials);
+  result.clearances = clearances_.summaries(told);
+  result.exposures = exposures_.summaries(trials, told);
 }
 
 }  // namespace flyrock

@@ -20,10 +20,13 @@ class MeasureTally {
   /// The distance of each clearance; NaN for those with sectors, which count from the release of each rock.
   /// Nothing while they are looked for.
   std::optional<std::vector<double>> clearance_distances() const;
+  /// Counts only, where too many rocks failed; after the first pass.
+  Told told() const;
   /// After the last pass. `trials`: all that ran, also those without rocks.
   void put(PointResult& result, std::uint64_t trials);
 
  private:
+  const Scenario& scenario_;
   RockTally rocks_;
   CrossingTallies crossings_;
   std::optional<TreeTally> trees_;

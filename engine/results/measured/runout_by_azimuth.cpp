@@ -43,9 +43,10 @@ bool AzimuthTally::needs_another_pass() {
   return more;
 }
 
-RunoutByAzimuth AzimuthTally::summary() const {
+RunoutByAzimuth AzimuthTally::summary(Told told) const {
   RunoutByAzimuth summary;
   summary.still = still_;
+  if (told == Told::counts) return summary;
   for (std::size_t i = 0; i < sectors_.size(); ++i) {
     const Sector& sector = sectors_[i];
     AzimuthSector& of = summary.sectors.emplace_back();

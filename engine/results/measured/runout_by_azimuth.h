@@ -33,8 +33,8 @@ struct AzimuthSector {
 };
 
 struct RunoutByAzimuth {
-  std::vector<AzimuthSector> sectors;
-  std::uint64_t still = 0;  ///< rocks that ended where they began: they have no azimuth
+  std::vector<AzimuthSector> sectors;  ///< none with Told::counts
+  std::uint64_t still = 0;             ///< rocks that ended where they began: they have no azimuth
 };
 
 /// The sector that the runout of a rock points into; none if the rock ended where it began.
@@ -47,7 +47,7 @@ class AzimuthTally {
   /// `sector`: azimuth_sector_of() the rock, which costs more than the rest and serves several tallies.
   void add(const RockRecord& rock, const std::optional<std::size_t>& sector);
   bool needs_another_pass();
-  RunoutByAzimuth summary() const;
+  RunoutByAzimuth summary(Told told = Told::all) const;
 
  private:
   struct Sector {

@@ -44,10 +44,10 @@ struct SectorSummary {
 /// weights it counts its share of the mean weight, too. Without any k, the number of sectors is halved;
 /// without any in one sector there is no area.
 struct AreaSummary {
-  Vec2 centre = Vec2::Zero();
+  Vec2 centre = {unknown, unknown};
   std::vector<Vec2> hull;               ///< counter-clockwise
   std::optional<std::uint64_t> beyond;  ///< k; none: there is no area
-  double effective = 0;                 ///< N: rocks / design effect, or trials
+  double effective = unknown;           ///< N: rocks / design effect, or trials
   /// In the order of azimuth from 0; see sector_of().
   std::vector<SectorSummary> sectors;
 

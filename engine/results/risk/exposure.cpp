@@ -220,15 +220,16 @@ void ExposureTally::put_bounds(const Exposed& exposed, std::uint64_t trials, Exp
   summary.expected_vehicles = plan.vehicles_per_metre() * covered;
 }
 
-std::vector<ExposureSummary> ExposureTally::summaries(std::uint64_t trials) const {
+std::vector<ExposureSummary> ExposureTally::summaries(std::uint64_t trials, Told told) const {
   std::vector<ExposureSummary> list;
   for (const Exposed& exposed : exposed_) {
     const ExposurePlan& plan = exposed.plan;
     ExposureSummary& summary = list.emplace_back();
     if (trials == 0 || !(exposed.radius > 0)) continue;
-    summary.radius = exposed.radius;
     summary.landings = exposed.landings;
     summary.trials = exposed.trials;
+    if (told == Told::counts) continue;
+    summary.radius = exposed.radius;
     summary.hits_per_m2 = exposed.density / static_cast<double>(trials);
     put_bounds(exposed, trials, summary);
     const double present = plan.has_traffic() ? 1 : plan.occupied;

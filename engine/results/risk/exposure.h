@@ -33,7 +33,7 @@ struct ExposureSummary {
   double hits_per_m2 = unknown;  ///< mean over the trials; of a line anywhere on it
   /// That at least one rock of a blast hits (`upper`, with the interval of rare_interval()): if someone is
   /// always there; with traffic a vehicle.
-  BlastBounds per_blast{unknown, unknown, {unknown, unknown}, 1};
+  BlastBounds per_blast = unknown_bounds;
   double road_hit = unknown;           ///< with traffic: that a rock lands on the strip of the vehicles
   double expected_vehicles = unknown;  ///< with traffic: the mean number of vehicles that a blast hits
   /// 1 - (1 - per_blast x occupied)^blasts_per_year; with traffic without `occupied`
@@ -54,7 +54,7 @@ class ExposureTally {
   void add(const TrialRecords& chunk);
   bool needs_another_pass();
   /// In the order of Scenario::exposures; `trials`: all of the run, also those without rocks.
-  std::vector<ExposureSummary> summaries(std::uint64_t trials) const;
+  std::vector<ExposureSummary> summaries(std::uint64_t trials, Told told = Told::all) const;
 
  private:
   /// Sums of a probability over trials.

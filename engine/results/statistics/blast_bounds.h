@@ -45,6 +45,8 @@ inline constexpr double telling_ratio = harmless_weight;
 /// 1 - (1 - p)^w; p itself for w = 1.
 double carried(double p, double weight);
 
+inline constexpr BlastBounds unknown_bounds{unknown, unknown, unknown_interval, 1};
+
 BlastBounds bounds_of(const SimulatedBlasts& rocks);
 
 /// Of all rocks, where the weights of several groups differ: U is that of the greatest weight (`all`), or the

@@ -13,6 +13,7 @@
 
 #include "results/statistics/design_effect.h"
 #include "results/statistics/selection.h"
+#include "results/statistics/unknown.h"
 
 namespace flyrock {
 
@@ -33,6 +34,9 @@ struct Interval {
   double design_effect = 1;         ///< results/statistics/design_effect.h
   std::uint64_t trials_needed = 0;  ///< too few trials lie beyond the number: about how many it takes
 };
+
+inline constexpr Bounded unknown_number{unknown, false};
+inline constexpr Interval unknown_interval{unknown, unknown, unknown, 0};
 
 /// Mean and standard deviation of the sample, sqrt(sum (x - mean)^2 / (n - 1)); with weights
 /// sqrt(n / (n - 1) sum w (x - mean)^2 / sum w). NaN if there are too few numbers.

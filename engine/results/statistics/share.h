@@ -18,6 +18,7 @@ Interval share_interval(double k, double n, double confidence);
 struct Share : Bounded {
   Interval interval;
 };
+inline constexpr Share unknown_share{unknown_number, unknown_interval};
 
 /// The share k of n. `open` more rocks may still count. The share is then a lower bound, and the upper end of
 /// the interval is that of k + open.

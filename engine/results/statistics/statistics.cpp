@@ -102,18 +102,17 @@ RunoutExtent GroupTally::runout_extent() const {
           .greatest = runout.greatest()};
 }
 
-GroupSummary GroupTally::summary() const {
+GroupSummary GroupTally::summary(Told told) const {
   GroupSummary summary;
   summary.name = name_;
   summary.count = reasons_.rocks();
   summary.faults = reasons_.rocks() - censored_.rocks();
   summary.censored = censored_.counted();
-  summary.weight = weight_;
   summary.weights = weights_;
-  for (std::size_t r = 0; r < stop_reasons; ++r) {
-    summary.reasons[r] = reasons_.counted(r);
-    summary.reason_shares[r] = reasons_.of_rocks(r);
-  }
+  for (std::size_t r = 0; r < stop_reasons; ++r) summary.reasons[r] = reasons_.counted(r);
+  if (told == Told::counts) return summary;
+  summary.weight = weight_;
+  for (std::size_t r = 0; r < stop_reasons; ++r) summary.reason_shares[r] = reasons_.of_rocks(r);
   summary.censored_share = censored_.of_rocks();
   if (censored_.rocks() == 0) summary.censored_share.value = 0;
   summary.time_share = shares_of(travel_.time);
@@ -150,9 +149,9 @@ std::vector<RunoutExtent> RockTally::runout_extents() const {
   return extents;
 }
 
-std::vector<GroupSummary> RockTally::summaries() const {
+std::vector<GroupSummary> RockTally::summaries(Told told) const {
   std::vector<GroupSummary> summaries;
-  for (const GroupTally& tally : tallies_) summaries.push_back(tally.summary());
+  for (const GroupTally& tally : tallies_) summaries.push_back(tally.summary(told));
   return summaries;
 }
 

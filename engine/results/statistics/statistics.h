@@ -26,28 +26,32 @@ Bounded bounded(const RockRecord& rock, const RockStatistic& number);
 /// Intervals of the mean and of the percentiles; NaN for the other statistics.
 using Intervals = std::array<Interval, statistic_names.size()>;
 
+inline constexpr Statistics unknown_statistics = each<statistic_names.size()>(unknown_number);
+inline constexpr Intervals unknown_intervals = each<statistic_names.size()>(unknown_interval);
+
 /// The quantiles that a Sample must be asked for, so that statistics_of() and intervals_of() can read them.
 Questions stated_questions();
 Statistics statistics_of(const Sample& sample);
 Intervals intervals_of(const Sample& sample);
 
-/// The rocks of one group, or all rocks.
+/// The rocks of one group, or all rocks. What is not told (Told::counts) is unknown.
 struct GroupSummary {
   std::string name;          ///< empty: all rocks
   std::uint64_t count = 0;   ///< rocks, including those with faults
   std::uint64_t faults = 0;  ///< rocks that failed; they are in no statistic
   std::uint64_t censored = 0;
-  double weight = 0;                                  ///< of the rocks without faults
+  double weight = unknown;                            ///< of the rocks without faults
   WeightRange weights;                                ///< of all rocks
   std::array<std::uint64_t, stop_reasons> reasons{};  ///< indexed by StopReason
-  std::array<Share, stop_reasons> reason_shares{};    ///< of all rocks
-  Share censored_share;                               ///< of the rocks without faults; 0 without any
+  std::array<Share, stop_reasons> reason_shares = each<stop_reasons>(unknown_share);  ///< of all rocks
+  Share censored_share = unknown_share;  ///< of the rocks without faults; 0 without any
   // indexed by rock_statistics
-  std::array<Statistics, rock_statistic_count> statistics{};
-  std::array<Intervals, rock_statistic_count> intervals{};
+  std::array<Statistics, rock_statistic_count> statistics = each<rock_statistic_count>(unknown_statistics);
+  std::array<Intervals, rock_statistic_count> intervals = each<rock_statistic_count>(unknown_intervals);
 
   /// Shares of all rocks without faults together, indexed by TravelMode; NaN if none has moved.
-  std::array<double, travel_mode_names.size()> time_share{}, distance_share{};
+  std::array<double, travel_mode_names.size()> time_share = each<travel_mode_names.size()>(unknown),
+                                               distance_share = time_share;
 
   /// `number`: rock_statistic("runout")
   const Bounded& at(std::size_t number, Statistic statistic) const {
@@ -75,7 +79,7 @@ class GroupTally {
   bool needs_another_pass();
   /// After the first pass.
   RunoutExtent runout_extent() const;
-  GroupSummary summary() const;
+  GroupSummary summary(Told told = Told::all) const;
 
  private:
   bool counted_ = false;  ///< first pass is done
@@ -97,7 +101,9 @@ class RockTally {
   bool needs_another_pass();
   /// In the order of summaries(), after the first pass.
   std::vector<RunoutExtent> runout_extents() const;
-  std::vector<GroupSummary> summaries() const;
+  /// The counts of all rocks.
+  GroupSummary counts() const { return tallies_.front().summary(Told::counts); }
+  std::vector<GroupSummary> summaries(Told told = Told::all) const;
 
  private:
   std::vector<GroupTally> tallies_;
