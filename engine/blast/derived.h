@@ -56,7 +56,7 @@ DerivedNumbers derived_numbers(const Blast& blast, const Pattern& pattern, int h
 /// where a volume is not known, and then all means are plain.
 DerivedNumbers derived_of_blast(const std::vector<DerivedNumbers>& holes, const std::vector<double>& rock);
 
-/// Of each hole the time since the hole that went off before it in its row [s]; NaN for the first of a row.
+/// The time of each hole since the hole that went off before it in its row [s]; NaN for the first of a row.
 std::vector<double> delays_in_rows(const Pattern& pattern, const std::vector<double>& times);
 
 }  // namespace flyrock

@@ -12,7 +12,7 @@ namespace flyrock {
 /// Who gives a field: the blast of all holes (`blast.burden`), or a measured hole (its column `burden`).
 enum class Giver { blast, hole };
 
-/// Of each field the given fields that its value was computed from. A given field follows from itself.
+/// The given fields that the value of each field was computed from. A given field follows from itself.
 class BlastSources {
  public:
   static constexpr std::size_t fields = static_cast<std::size_t>(BlastField::count);

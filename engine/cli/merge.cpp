@@ -149,7 +149,7 @@ std::string missing_text(const std::vector<ChunkRange>& chunks, const std::vecto
                      chunks.size() - files.size(), chunks.size(), chunks[first].first, chunks[first].point);
 }
 
-/// Of shards of `flyrock sensitivity` also what they were asked.
+/// Loads the scenario of shards, and what shards of `flyrock sensitivity` were asked.
 std::optional<LoadedScenario> load_again(const CommandLine& line, const std::string& hash, Request& request,
                                          std::optional<Analysis>& analysis) {
   const std::string& shard = line.words.front();
@@ -173,7 +173,7 @@ po::options_description merge_options() {
   options.add_options()("output,o", po::value<std::string>()->value_name("DIR"), "result folder; required")(
       "scenario", po::value<std::string>()->value_name("FILE"),
       "the scenario file, if it has moved since the shards ran")(
-      "partial", "exit code 0 where a shard or chunk is missing, in place of 3")(
+      "partial", "accept missing shards and chunks: the exit code is then 0, not 3")(
       "force", "replaces the results in an existing folder")("quiet", "no summary");
   return options;
 }
@@ -240,7 +240,7 @@ int merge(const Command& command, const Arguments& arguments) {
   if (!line.has("quiet"))
     fmt::print("{}report: {}\n", summary_text(plan, results, loaded->warnings), folder.report().string());
   tell_missing(chunks, pieces, request, partial ? "warning" : "error");
-  // Of only some of the trials no expectation is judged.
+  // No expectation is judged from only some of the trials.
   if (partial && !results.ended_early.empty() && results.fault_count == 0) return done;
   return exit_code(results);
 }

@@ -15,7 +15,7 @@ std::vector<std::pair<std::string, fs::path>> offers() {
     const fs::path& file = entry.path();
     if (!entry.is_regular_file() || (file.extension() != ".yaml" && file.extension() != ".lua")) continue;
     const fs::path name = fs::relative(file, share / "scenarios");
-    // Of two scenarios of one name, that in Lua keeps its ending.
+    // If two scenarios have one name, the one in Lua keeps its ending.
     const bool second = file.extension() == ".lua" && fs::exists(fs::path(file).replace_extension(".yaml"));
     list.emplace_back((name.parent_path() / (second ? name.filename() : name.stem())).string(), file);
   }

@@ -26,8 +26,8 @@ struct SolvedStates {
 /// The solutions for contacts that act on each other.
 struct IslandSolutions {
   SolvedStates impulses;  ///< of the impact, or over the step
-  /// Of a step: forces and accelerations a = (free velocity - velocity before) / step + W f. A contact that
-  /// slips keeps its slip, because no force changes a velocity at once.
+  /// The states of a step: forces and accelerations a = (free velocity - velocity before) / step + W f. A
+  /// contact that slips keeps its slip, because no force changes a velocity at once.
   std::optional<SolvedStates> forces;
 };
 

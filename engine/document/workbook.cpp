@@ -309,7 +309,7 @@ class Xlsx {
     });
   }
 
-  /// Of "C5" 3.
+  /// The number of a column: 3 for "C5".
   static std::size_t column_of(std::string_view name, std::size_t otherwise) {
     std::size_t column = 0;
     for (const char c : name) {

@@ -14,7 +14,7 @@ constexpr unsigned signature_of_end = 0x06054b50, signature_of_entry = 0x02014b5
 constexpr std::size_t bytes_of_end = 22, bytes_of_entry = 46, bytes_of_member = 30;
 constexpr unsigned is_stored = 0, is_deflated = 8, encrypted_flag = 1;
 
-/// Of a stream without a head of its own.
+/// Inflates a stream without a head of its own.
 std::string inflated(std::string_view packed, std::size_t size) {
   std::string result(size, '\0');
   z_stream stream{};

@@ -11,7 +11,7 @@ struct Box {
 
   /// Without a point; any that is added is its first.
   static Box empty() { return {Vec<D>::Constant(1e300), Vec<D>::Constant(-1e300)}; }
-  /// Of points, at least one.
+  /// The box of points, at least one.
   template <class Points>
   static Box around(const Points& points) {
     Box box{*points.begin(), *points.begin()};

@@ -61,7 +61,7 @@ class CutBlocks {
   std::vector<Vec<D>> points_;
   std::vector<Block<D>> blocks_;
   double size_ = 0;
-  // Of the present plane:
+  // For the present plane:
   std::vector<double> height_;                        ///< of each point above it
   std::vector<signed char> side_;                     ///< 1 above, 0 on it, -1 below
   std::unordered_map<std::uint64_t, int> crossings_;  ///< by the two points of an edge

@@ -15,7 +15,7 @@ template <int D>
 struct GivenMesh {
   std::vector<Vec<D>> nodes;
   std::vector<std::array<int, D + 1>> cells;  ///< with a positive volume; in 2D counter-clockwise
-  /// Of one cell only: in 2D the edges of the outline, one after the other; in 3D triangles,
+  /// The surface of one cell: in 2D the edges of the outline, one after the other; in 3D triangles,
   /// counter-clockwise as seen from outside.
   std::vector<std::array<int, D>> sides;
   int ignored = 0;  ///< other elements of the file

@@ -7,8 +7,8 @@
 
 namespace flyrock {
 
-/// Of the disc of a radius about `centre` and a polygon, counter-clockwise [m2]. The sum over the edges of
-/// the signed area of the triangle (centre, a, b) inside the disc.
+/// The common area of the disc of a radius about `centre` and a polygon, counter-clockwise [m2]. The sum over
+/// the edges of the signed area of the triangle (centre, a, b) inside the disc.
 double disc_overlap(const std::vector<Vec2>& polygon, const Vec2& centre, double radius);
 
 }  // namespace flyrock

@@ -64,7 +64,7 @@ class Checks {
     const int triangles = static_cast<int>(mesh_.triangles.size());
     if (triangles == 0) return "a mesh has no triangles";
     if (mesh_.part.size() != mesh_.triangles.size())
-      return fmt::format("a mesh of {} triangles names the parts of {}", triangles, mesh_.part.size());
+      return fmt::format("the mesh has {} triangles but {} part numbers", triangles, mesh_.part.size());
     for (int t = 0; t < triangles; ++t) {
       const int part = mesh_.part[t];
       if (part < 0 || part >= static_cast<int>(mesh_.parts.size()))

@@ -135,7 +135,7 @@ void PlanField::lift(const std::vector<Vec2>& hull) {
       if (distance_from(hull, place_of(i, j)) <= across) values_[index(i, j)] = highest;
 }
 
-/// Of each node whether it is below the level and joined to the border by such nodes.
+/// Whether each node is below the level and joined to the border by such nodes.
 std::vector<char> PlanField::outside_of(double level) const {
   std::vector<char> outside(values_.size(), 0);
   std::vector<std::pair<int, int>> open;

@@ -28,7 +28,7 @@ std::string Profile::face_name(std::size_t face) const {
 std::string Profile::fault() const {
   if (points.size() < 2) return fmt::format("a profile has {} points, at least 2 are needed", points.size());
   if (part.size() + 1 != points.size())
-    return fmt::format("a profile of {} segments names the parts of {}", segments(), part.size());
+    return fmt::format("the profile has {} segments but {} part numbers", segments(), part.size());
   for (int index : part)
     if (index < 0 || index >= static_cast<int>(parts.size()))
       return fmt::format("a profile of {} parts has a segment of part {}", parts.size(), index);

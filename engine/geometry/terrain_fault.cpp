@@ -44,7 +44,7 @@ std::string fault(const HeightGrid& grid) {
           place_text(Vec2(grid.corner + grid.cell * Vec2(static_cast<double>(i % grid.columns),
                                                          static_cast<double>(i / grid.columns)))));
   if (!grid.part.empty() && grid.part.size() != cells)
-    return fmt::format("a grid of {} cells names the parts of {}", cells, grid.part.size());
+    return fmt::format("the grid has {} cells but {} part numbers", cells, grid.part.size());
   for (const std::uint8_t part : grid.part)
     if (part >= grid.parts.size())
       return fmt::format("a grid of {} parts has a cell of part {}", grid.parts.size(), part);

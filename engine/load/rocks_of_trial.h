@@ -17,7 +17,8 @@ struct RocksOfTrial {
   void add(const RocksOfTrial& other);
 };
 
-/// Of each group of the scenario. The first trial stands for all. Throws TrialError if it cannot be built.
+/// The rocks of each group of the scenario. The first trial stands for all. Throws TrialError if it cannot be
+/// built.
 std::vector<RocksOfTrial> rocks_of_a_trial(const Scenario& scenario);
 
 }  // namespace flyrock

@@ -9,7 +9,7 @@ namespace flyrock {
 
 void try_points(LoadedScenario& scenario, std::uint64_t trials, Diagnostics& diagnostics) {
   const auto place = [&](const std::string& path) { return node_at(scenario.root, path).key_at; };
-  // Of a large sweep each point is tried with fewer rocks, so that this never takes longer than some seconds.
+  // Each point of a large sweep is tried with fewer rocks, so that this never takes longer than some seconds.
   constexpr std::size_t most_rocks = 2000, most_of_all_points = 40'000;
   const TryLimits limits{.trials = trials,
                          .rocks = std::min(most_rocks, most_of_all_points / scenario.plan.points.size())};

@@ -477,7 +477,7 @@ void tell_silence(const PluginSpec& spec, const Calls& calls, Conformance& found
                       param.name, name_of(param.type)));
       return;
     }
-  // Of a plugin that serves both dimensions, the one that it does not refuse as such.
+  // The dimension that a plugin which serves both does not refuse.
   const int served = spec.dimension != 0 ? spec.dimension : calls.refusals[2].of_dimension ? 3 : 2;
   const std::string& why = calls.refusals[static_cast<std::size_t>(served)].text;
   found.faults.push_back(spec.params.empty()

@@ -92,10 +92,10 @@ class VelocityModel {
 template <int D>
 struct RockPlan {
   ShapeAnswer<D> shape;  ///< without contactors: the shape of its group
-  /// Of the sphere (2D: circle) of equal volume (area) [m]: its shape is scaled to it.
+  /// Diameter of the sphere (2D: circle) of equal volume (area) [m]; the shape is scaled to it.
   std::optional<double> diameter;
   std::optional<Vec<D>> position;  ///< of the centre of mass, in the coordinates of the scenario [m]
-  /// Of the contactors as given: an angle [rad] in 2D.
+  /// Orientation of the contactors as given: an angle [rad] in 2D.
   std::optional<std::conditional_t<D == 2, double, Rotation3>> orientation;
   std::optional<double> density;                ///< kg/m3; at most one of density, mass and shape.own.mass
   std::optional<double> mass;                   ///< kg

@@ -36,8 +36,8 @@ struct Distribution {
   double a = 0, b = 0, c = 0, d = 0;
   std::vector<double> values = {};
   std::vector<double> weights = {};  ///< of `discrete`: empty for equal ones
-  /// Of `sieve`: the share between two sizes is linear in ln x (count), or in x^-3 (mass), which is how many
-  /// pieces there are if their mass is linear in ln x.
+  /// With `sieve`, the share between two sizes is linear in ln x (count), or in x^-3 (mass), which is how
+  /// many pieces there are if their mass is linear in ln x.
   CountedBy between = CountedBy::count;
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();

@@ -109,7 +109,7 @@ CodeCounts take_counts(std::string_view& bytes) {
       throw ColumnError("the codes of a histogram are out of order");
     counts.push_back({static_cast<std::uint32_t>(code), take_weight(bytes)});
   }
-  if (counts.empty()) throw ColumnError("a histogram has no rock");
+  if (counts.empty()) throw ColumnError("damaged chunk: an empty histogram");
   return counts;
 }
 

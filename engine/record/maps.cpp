@@ -125,7 +125,7 @@ Maps Maps::read(std::string_view bytes) {
     cell.energies = take_counts(bytes);
     cell.heights = take_counts(bytes);
   }
-  if (!bytes.empty()) throw ColumnError("the maps are longer than their cells");
+  if (!bytes.empty()) throw ColumnError("damaged maps: bytes left after the last cell");
   return maps;
 }
 

@@ -26,7 +26,7 @@ void apply_branch(const Node& branch, const BranchPlan& plan, Value& root, Diagn
 /// The fields of the blast that a branch sets, which then hold for measured holes too.
 std::vector<BlastField> fields_of_branch(const Node& branch);
 
-/// Of the keys that a branch reads nowhere (find_not_used) those that it sets: "branches.wet: blast.spacing
+/// The keys that a branch sets and reads nowhere (find_not_used): "branches.wet: blast.spacing
 /// (...)".
 std::vector<std::string> settings_not_used(const Node& branch, const std::vector<std::string>& not_used);
 

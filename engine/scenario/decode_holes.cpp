@@ -234,7 +234,7 @@ void check_scatter(DecodeContext& context, const Node& blast, const BlastPlan& p
   }
 }
 
-/// Of each field the median of all holes, if all have it.
+/// The hole with the median of each field that all holes have.
 Blast median_hole(const std::vector<Blast>& holes) {
   Blast median = holes.front();
   for (std::size_t f = 0; f < median.values.size(); ++f) {

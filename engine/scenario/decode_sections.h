@@ -59,8 +59,8 @@ std::vector<int> holes_named(Diagnostics& diagnostics, const Node& list, const s
 
 /// The median of a number.
 double middle_of(const DecodeContext& context, const Number& number);
-/// Of the fields that the blast of all holes gives: they follow from themselves, the Gurney constant perhaps
-/// from D.
+/// The sources of the fields that the blast of all holes gives: they follow from themselves, the Gurney
+/// constant perhaps from D.
 BlastSources given_fields(const BlastPlan& plan);
 
 /// Checks that need both the blast and the terrain: the length of the hole against the height of the bench.

@@ -29,7 +29,7 @@ std::vector<double> times_of(const Pattern& pattern) {
   return times;
 }
 
-/// Of the typical hole; 0: it is not known.
+/// The number of the typical hole; 0: it is not known.
 double typical_of(const BlastPlan& blast, Derived derived) {
   const double number =
       derived_numbers(blast.typical, blast.pattern, 0, 0)[static_cast<std::size_t>(derived)];

@@ -46,7 +46,7 @@ Table with(Table base, Named entry) {
 }
 const Table state_components_3d = with(extreme_components_3d, {"spin", dimension::spin});
 
-/// Of the last states of all bodies that move.
+/// Measures of the last states of all bodies that move.
 const Table assembly_components_2d{{"x", dimension::length},
                                    {"y", dimension::length},
                                    {"vx", dimension::speed},
@@ -84,7 +84,7 @@ const Table contact_quantities{{"gap", dimension::length},
                                {"rt", force}};
 const Table link_quantities{
     {"force", force}, {"length", dimension::length}, {"angle", dimension::angle}, {"impulse", impulse}};
-/// Of a deformable body, over the rows of its series.
+/// Measures of a deformable body, over the rows of its series.
 const Table stress_table = [] {
   Table table;
   for (const StressQuantity& number : stress_quantities)

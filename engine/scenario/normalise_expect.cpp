@@ -28,8 +28,7 @@ void put_tolerances(DecodeContext& context, const Node& item, const Dimension& d
   const auto tolerance = item.find("tolerance"), relative = item.find("relative");
   if ((tolerance || relative) && !equals)
     (tolerance ? tolerance : relative)->error(context.diagnostics, "stands beside `equals` only");
-  if (tolerance && relative)
-    relative->error(context.diagnostics, "stands in place of `tolerance`, not beside it");
+  if (tolerance && relative) relative->error(context.diagnostics, "replaces `tolerance`: give only one");
   const auto put_positive = [&](const Node& node, const Dimension& of) {
     Value value = normalise_expected(context, node, of);
     if (si_of(value) < 0) node.error(context.diagnostics, "must be at least 0");

@@ -93,9 +93,9 @@ void check_counting_key(DecodeContext& context, const Node& node, bool is_indepe
   const std::optional<Node> key = counting_key(node);
   if (!key) return;
   if (node.find("per_trial"))
-    key->error(context.diagnostics, "stands in place of `per_trial`, expected one of them");
+    key->error(context.diagnostics, "replaces `per_trial`: give only one");
   else if (node.find("per_hole") && node.find("table"))
-    node.find("table")->error(context.diagnostics, "stands in place of `per_hole`, expected one of them");
+    node.find("table")->error(context.diagnostics, "replaces `per_hole`: give only one");
   else if (!is_independent)
     key->error(
         context.diagnostics,

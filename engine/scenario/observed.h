@@ -19,7 +19,7 @@ enum class ObservedNumber {
 /// The name as the scenario writes it.
 std::string_view name_of(ObservedNumber of);
 
-/// Of what a line of the table tells.
+/// What one line of the table describes.
 enum class ObservedUnit {
   rock,
   blast,  ///< the farthest rock of a trial

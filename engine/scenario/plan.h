@@ -14,7 +14,7 @@ namespace flyrock {
 /// One axis of a sweep: numbers, or choices with their texts.
 struct SweepAxis {
   std::string path;
-  std::vector<double> values;            ///< SI; of choices 0, 1, ...
+  std::vector<double> values;            ///< in SI; for a choice its index
   std::string name = {};                 ///< the path with names: "barriers.fence.height"
   std::string unit = {};                 ///< SI: "m", "rad", "1"; of choices empty
   std::vector<std::string> labels = {};  ///< of choices: the text, or the `type` of a section; unique

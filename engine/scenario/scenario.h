@@ -125,7 +125,7 @@ struct BlastPlan {
   Pattern pattern;                         ///< rock k belongs to hole k mod holes
   Blast typical;       ///< completed, with the medians of all distributions; of a field the median hole
   BlastDesign design;  ///< of the typical blast, or of all holes
-  /// Of measured holes: what is added to a field, or to the time, of each hole in each trial.
+  /// What is added to measured holes: to a field, or to the time, of each hole in each trial.
   std::map<BlastField, Number> scatter;
   std::optional<Number> time_scatter;
   std::vector<Blast> holes;  ///< measured holes, completed, with the medians of all distributions

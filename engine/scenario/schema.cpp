@@ -107,7 +107,7 @@ SectionSpec document() {
            "expect",    "answer",   "settle",   "shapes", "links",    "start"}};
 }
 
-/// Of a terrain.
+/// The key `north` of a terrain.
 ParamSpec north() {
   return number("north", "rad", "where bearing 0 points, from +x towards +y; 90 deg")
       .at_least(-2 * pi)
@@ -115,7 +115,7 @@ ParamSpec north() {
       .optional();
 }
 
-/// Of a ditch or a bund.
+/// The key `slope` of a ditch or a bund.
 ParamSpec slope_of_sides(double degrees) {
   return number("slope", "rad", fmt::format("of its sides; {} deg", degrees))
       .above(0)
@@ -131,7 +131,7 @@ ParamSpec bearing(const std::string& doc) {
       .optional();
 }
 
-/// Of a body that forces move.
+/// The keys of a body that forces move.
 ParamSpec force_on_body() { return vector("force", "N", "constant, at the centre of mass").optional(); }
 ParamSpec hold_of_body() {
   return number("hold", "s", "until when it stands; it then has its velocity").at_least(0).optional();
@@ -561,15 +561,16 @@ std::vector<SectionSpec> make_sections() {
         text("species", "its head").optional()},
        {}},
       {"forest: density 3D",
-       joined(
-           {number("density", "", "stems a m2").at_least(0).at_most(10),
-            number("diameter", "m", "at breast height; a distribution gives one a tree").above(0).at_most(10),
-            number("height", "m", "of a stem; a distribution gives one a tree")
-                .above(0)
-                .at_most(200)
-                .or_else(20.0),
-            text("zone", "part or zone of the terrain; all of it by default").optional()},
-           tree_law_keys()),
+       joined({number("density", "", "stems a m2").at_least(0).at_most(10),
+               number("diameter", "m", "at breast height; a distribution is drawn once per tree")
+                   .above(0)
+                   .at_most(10),
+               number("height", "m", "height of the stem; a distribution is drawn once per tree")
+                   .above(0)
+                   .at_most(200)
+                   .or_else(20.0),
+               text("zone", "part or zone of the terrain; all of it by default").optional()},
+              tree_law_keys()),
        {}},
       {"forest.species 3D",
        {text("name", "as in the file"),
@@ -668,7 +669,7 @@ std::vector<SectionSpec> make_sections() {
         integer("trial", "of the point").at_least(0).or_else(0.0)},
        {"bodies"}},
       {"output",
-       {boolean("rocks", true, "whether every rock has its rows; else only the first ones"),
+       {boolean("rocks", true, "write rows of all rocks (true) or only of the first `first`"),
         integer("chunk", "trials of a chunk; else chosen from `trials`").at_least(1).optional(),
         integer("first", "rocks of each sweep point with rows where `rocks` is false")
             .at_least(1)

@@ -58,7 +58,7 @@ class TreeReader {
   }
 
  private:
-  /// Of numbers in another unit than their head says, the median is off.
+  /// The median shows numbers in another unit than their head says.
   void check_median(const TreeSize& size) {
     std::vector<double> values;
     for (std::size_t row = 0; row < table_.rows(); ++row)

@@ -86,8 +86,8 @@ struct ContactProblem {
   std::vector<Contact> contacts;
   std::vector<int> first;  ///< the couplings of contact a are [first[a], first[a + 1])
 
-  /// Of each contact, so that W_ab is the sum of H_a^T (M^-1 H_b) over the bodies of both; or none, where W
-  /// is known by its blocks alone.
+  /// The matrices of each contact, so that W_ab is the sum of H_a^T (M^-1 H_b) over the bodies of both; or
+  /// none, where W is known by its blocks alone.
   std::vector<std::array<Side, 2>> sides;
   int bodies = 0;  ///< those of the sides have lower numbers
 

@@ -13,7 +13,7 @@ namespace flyrock {
 /// state in the last step. A pull c_n that the contact bears is a given impulse L = -h c_n. The total normal
 /// impulse bounds friction, rolling and spinning:
 ///   |r_t| <= mu r_n + h c_t,   |m_r| <= mu_r r_n, or mu_r (r_n + h c_n) if the contact bears a pull.
-/// Of a spring (`penalty`) it writes the coefficients and h c_t; set_spring (spring.h) writes the rest.
+/// For a spring (`penalty`) it writes the coefficients and h c_t; set_spring (spring.h) writes the rest.
 template <int D>
 void set_law(const ContactLaw& law, bool sticking, double gap, double h,
              typename ContactProblem<D>::Contact& contact, Rebound<D>& rebound) {

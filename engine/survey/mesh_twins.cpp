@@ -9,8 +9,8 @@
 
 namespace flyrock {
 
-/// Of triangles with the same corners one stays: of two that face opposite ways, as files for drawing have
-/// them, the one that looks up.
+/// Keeps one of the triangles that have the same corners: of two that face opposite ways, as files for
+/// drawing have them, the one that looks up.
 void MeshDraft::drop_twins() {
   Mesh joined = mesh_;  // twins meet others at edges of more than two triangles, where vertices are repeated
   join_equal_places(joined);

@@ -25,7 +25,7 @@ struct SurveyReport {
 /// A terrain that says what it read.
 class SurveyedTerrain : public TerrainModel {
  public:
-  /// Of the last build_3d.
+  /// The report of the last build_3d.
   virtual SurveyReport report() const = 0;
 };
 

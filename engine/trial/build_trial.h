@@ -170,7 +170,7 @@ class TrialBuilder {
   Instances instances_;
   ElasticBlocks<D> elastic_;
   std::vector<GroupStreams> streams_;  ///< of Scenario::rocks
-  /// Of Scenario::rocks, the last one: the next rock may be alike. Of a table one for each line.
+  /// The last rock of each group: the next one may be alike. A table has one for each line.
   std::vector<std::vector<MadeBody<D>>> made_;
   std::vector<std::unique_ptr<TrialBuilder>> branches_;  ///< of Scenario::branches
   bool may_repeat_;  ///< no draw of the scenario lets the starts of trials differ

@@ -13,7 +13,7 @@ class Ground3;
 /// The forest of a scenario in 3D, counted from its origin [m]; nullptr if it has none. Drawn once a run: all
 /// trials, points with the same terrain and forest, and threads share it.
 ///
-/// Of drawn trees, tree i stands at a place that is uniform in the box of its zone in plan: density times the
+/// Tree i of drawn trees stands at a place that is uniform in the box of its zone in plan: density times the
 /// area of the box of them, of which those stay that have ground of the zone below. Tree i is the same for
 /// every density. `ground` is that of the first trial. Throws ScenarioError if the box has no ends, or if
 /// there are more than 2,000,000 trees.

@@ -65,7 +65,7 @@ bool TrialBuilder<D>::starts_alike(const Trial<D>& trial) const {
   });
 }
 
-/// Makes the trial, which has run, the one of another number.
+/// Reuses the memory of a finished trial for the trial of another number.
 template <int D>
 void TrialBuilder<D>::begin_again(Trial<D>& trial, std::uint64_t number) {
   for (TrialRock& rock : trial.rocks) {

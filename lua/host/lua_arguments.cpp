@@ -98,9 +98,8 @@ void LuaArguments::note(LuaArgument argument, LuaArgument fallback) {
     asked_.push_back(std::move(argument));
     defaults_.push_back(std::move(fallback));
   } else if (before->value != fallback.value) {
-    throw std::runtime_error(
-        fmt::format("argument `{}` has the default {} here, and {} where it was asked for before",
-                    fallback.name, text_of(fallback), text_of(*before)));
+    throw std::runtime_error(fmt::format("argument `{}` is declared with two defaults: {} and {}",
+                                         fallback.name, text_of(fallback), text_of(*before)));
   }
 }
 

@@ -185,8 +185,8 @@ class RockReader : public AnswerReader {
                 *centre = value.find("centre");
     if (!radius && !corners) wrong(path, value, fmt::format("`radius` or `{}` in it", Names::corners));
     if (corners && centre)
-      call_.fail(fmt::format("returned {}, which goes with a radius, not with {}", join_path(path, "centre"),
-                             Names::corners));
+      call_.fail(fmt::format("returned {}, which needs `radius` and cannot be combined with {}",
+                             join_path(path, "centre"), Names::corners));
     if (corners && !radius) return hull_of(*corners, join_path(path, Names::corners));
     const double r = positive(*radius, join_path(path, "radius"));
     if (corners) return grown(*corners, r, join_path(path, Names::corners));

@@ -202,7 +202,7 @@ std::pair<const LuaFile*, FieldPlaces> LuaSession::calling(lua_State* lua, const
   const LuaFile* file = main_ && called ? files_.of_chunk(frame.source) : nullptr;
   if (!file)
     throw std::runtime_error(
-        fmt::format("fr.{} is for loading: it stands at the top level of a file", function));
+        fmt::format("call fr.{} at the top level of the file, not in a function", function));
   charge(lua, 10'000 + 5.0 * static_cast<double>(file->text.size()));  // for scanning the source
   return {file, FieldPlaces(file->source, function, frame.currentline)};
 }
@@ -235,7 +235,7 @@ int LuaSession::argument(lua_State* lua) {
   LuaSession& session = self(lua);
   // The hash of a scenario knows no number that a law asks for in a call.
   if (!session.main_)
-    throw std::runtime_error("fr.argument is for loading: it stands at the top level of a file");
+    throw std::runtime_error("call fr.argument at the top level of the file, not in a function");
   session.arguments_.answer(lua);
   return 1;
 }
@@ -316,7 +316,7 @@ int LuaSession::require(lua_State* lua) {
 }
 
 void LuaSession::require_file(lua_State* lua, const std::string& name) {
-  if (!main_) throw std::runtime_error("require is for loading: it stands at the top level of a file");
+  if (!main_) throw std::runtime_error("call require at the top level of the file, not in a function");
   constexpr const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.";
   if (name.find_first_not_of(allowed) != name.npos || name.find("..") != name.npos || name.starts_with("."))
     throw std::runtime_error(fmt::format(
@@ -337,7 +337,7 @@ void LuaSession::require_file(lua_State* lua, const std::string& name) {
   const LuaFile* file = files_.read(path, shown, fault);
   if (!file)
     throw std::runtime_error(
-        fmt::format("require: {}, expected a module beside the file{}", fault,
+        fmt::format("require: {}, expected a module in the folder of the file{}", fault,
                     nearest_name(name, {"flyrock"}).empty() ? "" : "; did you mean `flyrock`?"));
   sources_.push_back({name_in_hash(shown), file->text});
   struct Loading {  // forgets the file if loading fails, because a Lua error unwinds this frame

@@ -7,8 +7,8 @@ namespace flyrock {
 
 namespace {
 
-/// Of the installation, or of a build tree, which has the same folders. The archive for older systems runs
-/// lib/ld-linux-x86-64.so.2, which is as deep as bin/flyrock.
+/// The folder `share` of the installation, or of a build tree, which has the same folders. The archive for
+/// older systems runs lib/ld-linux-x86-64.so.2, which is as deep as bin/flyrock.
 std::filesystem::path prefix() {
   return std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path();
 }

@@ -100,7 +100,7 @@ return fr.plugin {
   impact = function(p, contact) return fr.argument("en", 0.5), 0 end,
 }
 )");
-  CHECK(call(folder, "check late.lua").err.find("fr.argument is for loading: it stands at the top level") !=
+  CHECK(call(folder, "check late.lua").err.find("call fr.argument at the top level of the file") !=
         std::string::npos);
   CHECK(call(folder, "check law.lua --arg em=1").err ==
         "--arg em=1: error: unknown argument `em`, did you mean `en`?\n");

@@ -25,7 +25,7 @@ double written_at(const VariedNumber& varied, int place) {
 
 // ---- the map of the misfit
 
-/// Of one number, over it: the energy distance, up to where it is in the region, and its noise.
+/// The picture of one number: over it the energy distance, up to where it is in the region, and its noise.
 std::string misfit_curve(const FittedModel& model) {
   std::vector<Evaluation> sorted = model.calibration.evaluations;
   std::sort(sorted.begin(), sorted.end(),
@@ -62,8 +62,8 @@ std::string shade(double value, double least, double greatest) {
   return fmt::format("rgb({},{},{})", mix(8, 236), mix(64, 240), mix(129, 245));
 }
 
-/// Of two numbers: cells of the coarse grid, each with the least energy distance over the others, points of
-/// the region, and the best point.
+/// The picture of two numbers: cells of the coarse grid, each with the least energy distance over the others,
+/// points of the region, and the best point.
 std::string misfit_map(const FittedModel& model, std::size_t a, std::size_t b) {
   constexpr double size = 380, left = 90, top = 20, bottom = 56;
   const Calibration& calibration = model.calibration;

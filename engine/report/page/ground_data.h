@@ -7,7 +7,7 @@
 
 namespace flyrock {
 
-/// Of each ground: { x, y, z, triangles, part, parts, lattice, cell }. x, y, z are differences in
+/// Each ground as { x, y, z, triangles, part, parts, lattice, cell }. x, y, z are differences in
 /// thousandths, `triangles` differences of the indices of three vertices each, `part` alternates between a
 /// number of triangles and the index of their part, `lattice` is 0 or as in GroundSurface.
 nlohmann::ordered_json grounds_data(const GroundPictures& pictures);

@@ -84,7 +84,7 @@ Json contact_curves(const SqliteReader& database, std::int64_t point) {
   return list;
 }
 
-/// Of the moments at which all moving bodies have a row.
+/// The energy at the moments at which all moving bodies have a row.
 Json energy_curve(const SqliteReader& database, std::int64_t point) {
   const std::string rows = fmt::format(
       "SELECT time_s AS t, COUNT(DISTINCT body) AS n, SUM(kinetic_energy_J) / COUNT(*) * COUNT(DISTINCT "

@@ -28,7 +28,7 @@ std::vector<bool> draws_read(const Scenario& scenario, std::size_t group) {
   return read;
 }
 
-/// Of numbers that differ, because a constant has no part in a correlation.
+/// Whether the run reads one of the numbers that differ. A constant has no part in a correlation.
 bool derived_is_read(const Scenario& scenario, std::size_t group, Derived derived) {
   if (!differs(scenario, derived)) return false;
   const BlastPlan& blast = *scenario.blast;

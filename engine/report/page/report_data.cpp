@@ -145,8 +145,8 @@ Json axes_data(const Plan& plan) {
   return list;
 }
 
-/// Of each swept barrier, group, sense and share: { barrier, group, sense, held, holding, smallest, text },
-/// and the points at which enough trials have a rock that arrives.
+/// The choices of each swept barrier, group, sense and share: { barrier, group, sense, held, holding,
+/// smallest, text }, and the points at which enough trials have a rock that arrives.
 Json choices_data(const Plan& plan, const Results& results) {
   Json list = Json::array();
   if (results.points.size() < 2) return list;
@@ -180,7 +180,7 @@ Json answer_units(const Plan& plan) {
 
 }  // namespace
 
-/// Of all rocks, then of each group if there is more than one, as in PointResult::groups.
+/// Runouts of all rocks, then of each group if there is more than one, as in PointResult::groups.
 class ReportData::Runouts : public RowReader {
  public:
   explicit Runouts(const std::vector<RunoutExtent>& extents) {

@@ -25,7 +25,7 @@ struct Weighted {
   double runout, weight;
 };
 
-/// Of sorted runouts, the one that the given share of the rocks does not exceed.
+/// The runout that the given share of the rocks does not exceed. Sorted runouts are given.
 double at_share(const std::vector<Weighted>& rocks, double share) {
   double all = 0, below = 0;
   for (const Weighted& rock : rocks) all += rock.weight;

@@ -35,7 +35,7 @@ Vec3 area_of(const std::vector<Vec3>& places);
 /// How light a face is, from its area_of: the more it looks up, the lighter.
 double light_of(const Vec3& area);
 
-/// Of stone; `light` from 0 to 1.
+/// The colour of stone; `light` from 0 to 1.
 std::string colour_of(double light);
 
 }  // namespace flyrock

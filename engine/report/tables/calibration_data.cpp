@@ -48,7 +48,7 @@ Json parameter_data(const FittedModel& model, std::size_t k) {
                      "determined", range.is_determined());
 }
 
-/// Of a number that the region holds from end to end, or nearly.
+/// Names each number that the region holds from end to end, or nearly.
 std::string undetermined_text(const FittedModel& model) {
   std::string names;
   for (std::size_t k = 0; k < model.varied.size(); ++k)

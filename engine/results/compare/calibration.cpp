@@ -182,8 +182,8 @@ class Calibrating {
     return point.energy - least_energy() - most;
   }
 
-  /// Of each number the range of points inside, and where the excess vanishes on the way to a neighbour on
-  /// the finer grid that is outside.
+  /// The range of each number over the points inside, and where the excess vanishes on the way to a neighbour
+  /// on the finer grid that is outside.
   void find_region(const std::vector<std::vector<int>>& fine) {
     std::vector<RegionRange> ranges(numbers_, {.low = 2, .high = -1});
     for (const Evaluation& evaluation : result_.evaluations) {
@@ -222,7 +222,7 @@ class Calibrating {
     widen(range, here.at[k] + share * (neighbour - here.at[k]));
   }
 
-  /// Of the numbers over the points of the finer grid that are inside.
+  /// Correlates the numbers over the points of the finer grid that are inside.
   void correlate(const std::vector<std::vector<int>>& fine) {
     constexpr std::size_t least = 5;
     std::vector<LatticePoint> points;

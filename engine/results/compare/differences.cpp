@@ -216,7 +216,7 @@ class PairSums {
   bool differs_ = false;
 };
 
-/// Of a group, or of all rocks, of one point.
+/// The pairs of a group, or of all rocks, of one point.
 struct GroupPairs {
   explicit GroupPairs(std::size_t numbers) : sums(numbers) {}
 

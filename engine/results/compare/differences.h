@@ -39,8 +39,8 @@ struct Difference {
   }
 };
 
-/// Of the runout: "+3.2 m (95 % interval 2.9 to 3.5 m)", ">= +7.5 m (66 of 200 pairs are censored ...)", "not
-/// known: ..."; empty without pairs.
+/// The difference of the runout in words: "+3.2 m (95 % interval 2.9 to 3.5 m)", ">= +7.5 m (66 of 200 pairs
+/// are censored ...)", "not known: ..."; empty without pairs.
 std::string difference_text(const Difference& difference);
 
 /// A number of rocks of which there are differences.
@@ -51,7 +51,7 @@ struct ComparedNumber {
 /// The statistics of rocks, then the shares of all rocks of gates and barriers.
 std::vector<ComparedNumber> compared_numbers(const Scenario& scenario);
 
-/// Of a point against point 0.
+/// The differences of a point from point 0.
 struct PointDifferences {
   struct Group {
     std::string name;                 ///< empty: all rocks

@@ -49,7 +49,7 @@ class MisfitPool {
 
   bool empty() const { return values_.empty(); }
   double energy_of(const std::vector<Vec2>& observed) const;
-  /// Of numbers only: the mean distance of quantiles.
+  /// The mean distance of quantiles, for numbers only.
   double quantiles_of(const std::vector<Vec2>& observed) const;
   /// Draws of the model: of each row one of its trials, or, where all rocks are one row, `count` of them.
   std::vector<std::vector<Vec2>> drawn(std::size_t count, std::uint64_t seed) const;

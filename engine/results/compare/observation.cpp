@@ -122,7 +122,7 @@ class Comparing {
     result_.model = SortedSample(std::move(model));
   }
 
-  /// Of each row the mean of its rock less what was measured; else the difference of the two means.
+  /// The mean over the rows of their rock less what was measured; else the difference of the two means.
   std::pair<double, double> bias_of(double (Way::*component)(const Vec2&) const, Censored censored) const {
     const auto counts = [&](const SimulatedValue& value) {
       return !value.censored || censored == Censored::at_their_end;

@@ -25,7 +25,7 @@ struct ObservedRock {
   std::uint64_t trials = 0, censored = 0;             ///< of its own; rocks that left are in no other number
 };
 
-/// Of the runout or the distance each number is that; of places it is the component along the way from the
+/// The numbers that are compared: runouts or distances; for places the component along the way from the
 /// mean start to the mean of the measured places, counted from this start.
 struct ObservationSummary {
   std::size_t rows = 0;          ///< measured

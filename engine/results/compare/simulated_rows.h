@@ -57,7 +57,7 @@ class SimulatedTally {
   bool is_full_ = false;
   bool is_open_ = false;
   std::uint64_t trial_ = 0;
-  /// Of the open trial, where a row is a blast or a hole: of each row.
+  /// The farthest rock of each row in the open trial, where a row is a blast or a hole.
   std::vector<std::optional<SimulatedValue>> farthest_;
 };
 

@@ -32,7 +32,7 @@ struct Skill {
   const char* verdict() const { return has_skill() ? "skill" : "no skill"; }
 };
 
-/// Of values in the plane, or of numbers in x. Of more than 1,000 rows or 4,000 values of the model every
+/// Compares values in the plane, or numbers in x. Of more than 1,000 rows or 4,000 values of the model every
 /// k-th counts.
 Skill skill_of(const std::vector<Vec2>& held, const std::vector<Vec2>& model, const std::vector<Vec2>& others,
                bool in_plane, std::uint64_t seed);

@@ -23,7 +23,7 @@ inline constexpr std::size_t least_assembly = 11;
 /// Which bodies of a scenario are neither fixed nor driven.
 std::vector<bool> moving_bodies(const Scenario& scenario);
 
-/// Of those bodies of a trial that move.
+/// The assembly of the bodies of a trial that move.
 Assembly assembly_of(const std::vector<bool>& moving, const std::vector<BodyHistory>& bodies);
 
 /// "300 of 300 bodies moved; 298 are at rest, the last one since 4.2 s. The centres of all lie from x = 0.05

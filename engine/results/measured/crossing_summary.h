@@ -18,7 +18,7 @@ namespace flyrock {
 struct Shares {
   Share of_all = unknown_share;       ///< of all rocks
   Share of_arriving = unknown_share;  ///< of the rocks that arrive; of a gate all pass
-  /// Of the trials: those with at least one such rock; with weights `blast.upper`.
+  /// The share of trials with at least one such rock; with weights `blast.upper`.
   Share per_trial = unknown_share;
   BlastBounds blast = unknown_bounds;  ///< that at least one such real rock comes with a blast
 };
@@ -29,7 +29,7 @@ struct Shares {
 struct GateSummary {
   std::uint64_t passed = 0;  ///< rocks
   Shares shares;
-  /// Of the rocks that passed, at the gate.
+  /// Arrivals of the rocks that passed the gate.
   Statistics speed = unknown_statistics, energy = unknown_statistics, height = unknown_statistics;
   Intervals speed_intervals = unknown_intervals, energy_intervals = unknown_intervals,
             height_intervals = unknown_intervals;
@@ -49,7 +49,7 @@ struct BarrierSummary {
   std::array<std::uint64_t, barrier_share_names.size()> counts{};  ///< rocks, indexed by BarrierShare
   std::uint64_t not_reached = 0;                                   ///< rocks that did not arrive
   std::array<Shares, barrier_share_names.size()> shares{};         ///< indexed by BarrierShare
-  /// Of the rocks that arrived, before the barrier acts.
+  /// Arrivals of rocks, before the barrier acts.
   Statistics energy = unknown_statistics, height = unknown_statistics;
   Intervals energy_intervals = unknown_intervals, height_intervals = unknown_intervals;
 

@@ -15,7 +15,7 @@ class MeasureTally {
   explicit MeasureTally(const Scenario& scenario);
   void add(const TrialRecords& chunk);
   bool needs_another_pass();
-  /// Of all rocks, then of each group if there is more than one; after the first pass.
+  /// The runouts of all rocks, then of each group if there is more than one; after the first pass.
   std::vector<RunoutExtent> runout_extents() const { return rocks_.runout_extents(); }
   /// The distance of each clearance; NaN for those with sectors, which count from the release of each rock.
   /// Nothing while they are looked for.

@@ -36,7 +36,7 @@ struct SectorSummary {
 /// hull of all release places in plan view and azimuths about its centroid, or both count from a point. The
 /// area is the union of the sectors, each up to its distance from the hull.
 ///
-/// Of N independent rocks, k stop outside in each of s sectors. The share of new rocks that stop outside is
+/// k of N independent rocks stop outside in each of s sectors. The share of new rocks that stop outside is
 /// then distributed as Beta(s (k + 1), N + 1 - s (k + 1)) or less (order statistics; Wald 1943, An extension
 /// of Wilks' method for setting tolerance limits). k is the greatest for which its 95 % quantile is at most
 /// the probability. N counts effective rocks, and so does k: where rocks share their blast, a rock counts

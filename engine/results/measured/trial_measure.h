@@ -36,7 +36,7 @@ class TrialMeasure {
   /// The exposure of which it needs the radius first; -1: none.
   int exposure() const { return kind_ == Kind::exposure ? place_ : -1; }
   void set_radius(double radius) { radius_ = radius; }
-  /// Of a trial without rocks.
+  /// The number of a trial without rocks.
   double without_rocks() const { return kind_ <= Kind::p95 ? unknown : 0; }
 
   /// Puts the number of each trial of a chunk to its place.

@@ -63,7 +63,7 @@ class ExposureTally {
     double greatest = 0;  ///< of a trial, or of the greatest event: a rock in the middle of the kernel
     void add(double chance);
   };
-  /// Of the simulated rocks, and with the weights of the rocks: 1 - prod (1 - q)^w.
+  /// Sums over the simulated rocks, and with the weights of the rocks: 1 - prod (1 - q)^w.
   struct Hits {
     Chances simulated, weighted;
     void add(double of_simulated, double of_weighted);
@@ -75,7 +75,7 @@ class ExposureTally {
     Hits place, vehicle;                 ///< of the place or the road, and of traffic
     double covered = 0;                  ///< m, sum of VehicleHits::covered
     std::vector<CoveredRoad> road = {};  ///< with traffic: one, else none
-    // Of the open trial:
+    // Sums over the open trial:
     double log_missed = 0, weighted_log_missed = 0;  ///< sums of ln(1 - q) and of w ln(1 - q)
     bool has_landing = false;
     std::vector<StoneOnRoad> stones = {}, weighted_stones = {};

@@ -32,7 +32,7 @@ std::string answer(const Plan& plan, const Results& results);
 /// "The launch of `blocks` gives no elevation, 45 deg is assumed." for all groups for which this holds;
 /// otherwise empty.
 std::string assumed_elevations(const Plan& plan);
-/// Of each table of rocks: how many there are, and by which factors their lengths are scaled; empty without
+/// How many rocks each table has, and by which factors their lengths are scaled; empty without
 /// one.
 std::string scales_of_tables(const Scenario& scenario);
 /// What is assumed of trees, and that their law is unverified; empty without a forest.

@@ -11,7 +11,7 @@ struct Results;
 /// In a sweep: each clearance and exposure from the point with the least to that with the greatest number.
 std::string asked_over_points(const Plan& plan, const Results& results);
 
-/// Of a run without a sweep what the table of questions has no room for: the direction in which an area
+/// What the table of questions has no room for, in a run without a sweep: the direction in which an area
 /// reaches farthest, areas of least size, known throws, how many rocks a blast has, and how often a rock
 /// lands on a road.
 std::string beside_questions(const Plan& plan, const Results& results);

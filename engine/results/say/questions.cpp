@@ -56,7 +56,7 @@ std::string year_text(double p, double blasts) {
 
 constexpr const char *verdict_held = "held", *verdict_not_held = "not held", *verdict_not_shown = "not shown";
 
-/// Of a number with an interval that must not exceed a limit.
+/// The verdict on a number with an interval that must not exceed a limit.
 const char* verdict_of(double lower, double upper, double limit) {
   if (upper <= limit) return verdict_held;
   return lower > limit ? verdict_not_held : verdict_not_shown;  // NaN: not shown
@@ -78,7 +78,7 @@ std::string distance_text(const ClearancePlan& asked, const ClearanceSummary& fo
                      three_digits(*asked.factor));
 }
 
-/// Of the customary distance, against the distance with its factor and the interval without one.
+/// The verdict on the customary distance, against the distance with its factor and the interval without one.
 const char* verdict_of(const ClearanceSummary& found, double customary) {
   if (found.with_factor > customary) return verdict_not_held;
   if (found.distance.censored && !(found.interval.lower > customary)) return verdict_not_shown;
@@ -217,7 +217,7 @@ std::string limits_text(const ExposurePlan& asked) {
   return text;
 }
 
-/// Of both limits, the worse one.
+/// The worse verdict of both limits.
 std::string verdict_of(const ExposurePlan& asked, const ExposureSummary& found) {
   std::vector<std::string> verdicts;
   const auto judge = [&](const std::optional<double>& limit, const Interval& interval) {

@@ -49,8 +49,8 @@ inline constexpr BlastBounds unknown_bounds{unknown, unknown, unknown_interval, 
 
 BlastBounds bounds_of(const SimulatedBlasts& rocks);
 
-/// Of all rocks, where the weights of several groups differ: U is that of the greatest weight (`all`), or the
-/// sum of the groups' U, whichever is less; L is the greatest of theirs.
+/// The bounds of all rocks, where the weights of several groups differ: U is that of the greatest weight
+/// (`all`), or the sum of the groups' U, whichever is less; L is the greatest of theirs.
 BlastBounds over_groups(const BlastBounds& all, std::span<const BlastBounds> groups);
 
 /// A weight with which the bounds would tell, or nearly so, rounded down to tenths; 1 where rocks stand for

@@ -85,7 +85,7 @@ class TrialCounts {
   double effective_size(double confidence) const;
 
  private:
-  /// Of n_t and k_t over trials: sums of n_t, k_t, n_t^2, k_t n_t, k_t^2.
+  /// Sums over trials of n_t, k_t, n_t^2, k_t n_t, k_t^2.
   struct Sums {
     double n = 0, k = 0, nn = 0, kn = 0, kk = 0;
     void add(double n_t, double k_t);

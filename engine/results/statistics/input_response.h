@@ -24,8 +24,8 @@ class InputValues {
   /// `base`: 0 or 1.
   void add(int base, const TrialRecords& chunk);
 
-  /// Of an input by its path: of the trials of the first base, then of the second; NaN in a trial without it.
-  /// Null: it has no single number in a trial.
+  /// The values of an input, by its path: in the trials of the first base, then of the second; NaN in a trial
+  /// without it. Null: it has no single number in a trial.
   const std::vector<double>* of(const std::string& path) const;
   const std::vector<std::string>& paths() const { return paths_; }
   const std::string& unit_of(const std::string& path) const;
@@ -46,7 +46,7 @@ struct ResponseBin {
   double x = unknown;     ///< median of the input
   double mean = unknown;  ///< of f
   Interval mean_interval{unknown, unknown};
-  /// Of f over the trials of the bin, with intervals (Sample::quantile_interval).
+  /// Percentiles of f over the trials of the bin, with intervals (Sample::quantile_interval).
   double p50 = unknown, p95 = unknown, p99 = unknown;
   Interval p50_interval{unknown, unknown}, p95_interval = p50_interval, p99_interval = p50_interval;
   std::uint64_t trials = 0;

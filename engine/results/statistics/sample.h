@@ -71,7 +71,7 @@ class Sample {
   bool needs_another_pass();
 
   std::uint64_t size() const { return count_; }
-  /// Of all numbers, after the first pass; infinite without any.
+  /// The least and the greatest number, after the first pass; infinite without any.
   double least() const { return least_; }
   double greatest() const { return greatest_; }
   bool any_censored() const { return least_censored_ < none; }

@@ -72,7 +72,7 @@ class Selection {
   void settle(Stretch& stretch);
   void narrow(const Stretch& stretch);
 
-  /// Of the column.
+  /// Least and greatest key of the column, and how many numbers it has.
   std::uint64_t low_ = 0, high_ = 0, count_ = 0;
   double weight_ = 0;
 

@@ -52,7 +52,7 @@ class ShareTally {
   /// After the last rock.
   void close();
 
-  /// Of all rocks, and of those that count.
+  /// Weights of all rocks, and of those that count.
   const WeightRange& weights() const { return weights_; }
   const WeightRange& weights(std::size_t share) const { return shares_[share].weights; }
 
@@ -61,12 +61,12 @@ class ShareTally {
   std::uint64_t open(std::size_t share = 0) const {
     return shares_[share].or_open.counted() - counted(share);
   }
-  /// Of the rocks, or of their weights.
+  /// The share of the rocks, or of their weights.
   Share of_rocks(std::size_t share = 0) const {
     return share_of(shares_[share].counts, shares_[share].or_open);
   }
   std::uint64_t trials() const { return shares_.front().counts.trials(); }  ///< with a rock
-  /// Of `trials`, by default those that have a rock: those in which at least one counts, whatever its weight.
+  /// The share of `trials`, by default those with a rock, in which at least one counts, whatever its weight.
   Share per_trial(std::size_t share, std::uint64_t trials) const;
   Share per_trial(std::size_t share = 0) const { return per_trial(share, trials()); }
 

@@ -90,7 +90,7 @@ class MeshPatch : public ShapeModel {
       Mesh solid = plate(mesh, border_, thickness);
       if (solid.triangles.empty())
         throw PluginError(fmt::format(
-            "plugin mesh_patch: {}: thickness is {:.6g} m, more than fits behind the bends of the surface",
+            "plugin mesh_patch: {}: thickness is {:.6g} m, too thick: the surface would fold at its bends",
             file_, thickness));
       return solid;
     }

@@ -36,7 +36,7 @@ class MeshPoint : public ShapeModel {
   }
 
  private:
-  /// Of a closed surface each triangle has three neighbours, each in common with one other one.
+  /// Whether each triangle has three neighbours, each in common with one other one.
   bool is_closed() const {
     for (const auto& around : neighbours_of(read_.mesh.triangles, sorted_sides(read_.mesh.triangles)))
       for (const int neighbour : around)

@@ -68,7 +68,7 @@ class Polyline : public ShapeModel {
       const Chain outline = strip(points_, thickness);
       if (outline.empty())
         throw PluginError(
-            fmt::format("plugin polyline: thickness is {:.6g} m, more than fits behind the bends of the line",
+            fmt::format("plugin polyline: thickness is {:.6g} m, too thick: the line would fold at its bends",
                         thickness));
       return outline;
     }

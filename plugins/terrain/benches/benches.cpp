@@ -41,8 +41,7 @@ class Benches : public TerrainModel {
         fail(fmt::format("`line` says where the crest runs, expected it without `{}`", name));
     if (has_line && line_.size() < 2) fail("`line` needs at least two points");
     if (notch_[0] >= 0) check_notch(params);
-    if (bund_on_berms_ && params.given("bund.distance"))
-      fail("`distance` is that of a bund on the floor: on berms it stands at their outer edge");
+    if (bund_on_berms_ && params.given("bund.distance")) fail("`distance` is only for a bund on the floor");
   }
 
   Profile build(Values values, RandomStream& rng) const override {

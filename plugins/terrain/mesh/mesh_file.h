@@ -56,7 +56,7 @@ void note_single_precision(MeshFile& file);
 /// Reads a file whose name ends in .obj, .ply or .stl.
 MeshFile read_mesh(const std::string& plugin, const std::string& path, PartsOf parts = PartsOf::either);
 
-/// A mesh in metres with z up, of one in units of `scale` m whose y or z axis points up. Throws PluginError
+/// Converts a mesh in units of `scale` m, with y or z up, to metres with z up. Throws PluginError
 /// for a scale of 0 or less.
 Mesh to_metres(const std::string& plugin, Mesh mesh, double scale, bool y_is_up);
 

@@ -43,5 +43,5 @@ TEST_CASE("a profile says what is wrong with it") {
   parts.part = {1};
   CHECK(parts.fault() == "a profile of 1 parts has a segment of part 1");
   parts.part = {0, 0};
-  CHECK(parts.fault() == "a profile of 1 segments names the parts of 2");
+  CHECK(parts.fault() == "the profile has 1 segments but 2 part numbers");
 }

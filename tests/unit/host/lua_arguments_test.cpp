@@ -62,7 +62,7 @@ TEST_CASE("fr.argument refuses names, defaults and places that it cannot use") {
   }
   CHECK(faults_of_arguments("fr.argument('n', 1)\nlocal v = fr.argument('n', 1)") == "");
   CHECK(faults_of_arguments("fr.argument('n', 1)\nlocal v = fr.argument('n', 2)") ==
-        "x.lua:3:1: argument `n` has the default 2 here, and 1 where it was asked for before\n");
+        "x.lua:3:1: argument `n` is declared with two defaults: 2 and 1\n");
   CHECK(faults_of_arguments("local v = fr.argument('stones', 1)", {"stone=2"}) ==
         "--arg stone=2:0:0: unknown argument `stone`, did you mean `stones`?\n");
   CHECK(faults_of_arguments("local v = fr.argument('n', 'x')", {"n=\x1b"}) ==

@@ -209,11 +209,11 @@ return fr.plugin { kind = "rolling", name = "mine", doc = "d", rolling = functio
   CHECK(lua.session.sources().back().name == "mine/constants.lua");
   lua.write("lost.lua", "local x = require 'nothing'");
   CHECK(lua.load("lost.lua") ==
-        "lost.lua:1:1: require: cannot read `nothing.lua`, expected a module beside the file\n");
+        "lost.lua:1:1: require: cannot read `nothing.lua`, expected a module in the folder of the file\n");
   const std::string longest(300, 'x');  // no file system takes this name
   lua.write("long.lua", "local x = require '" + longest + "'");
-  CHECK(lua.load("long.lua") ==
-        "long.lua:1:1: require: cannot read `" + longest + ".lua`, expected a module beside the file\n");
+  CHECK(lua.load("long.lua") == "long.lua:1:1: require: cannot read `" + longest +
+                                    ".lua`, expected a module in the folder of the file\n");
   lua.write("out.lua", "local x = require '../x'");
   CHECK(lua.load("out.lua") ==
         "out.lua:1:1: require: `../x` is not a module, expected letters, digits and _, with dots for "
