@@ -195,6 +195,9 @@ void SeriesRecorder<D>::put_contacts(double step) {
     if (step > 0) {
       row.rn = row.pn / step;
       row.rt = row.pt / step;
+      row.force.setZero();
+      row.force.template head<D>() =
+          contact_frame(contact.at.normal) * contact.impulse.template head<D>() / step;
       row.state = row.pn == 0        ? SeriesState::open
                   : contact.sticking ? SeriesState::sticking
                                      : SeriesState::sliding;

@@ -36,6 +36,8 @@ struct SeriesContact {
   double rn = 0, rt = 0;  ///< N, impulse / step; of an impact NaN, because its impulse has no duration
   SeriesState state = SeriesState::open;
   Vec3 place = Vec3::Zero(), normal = Vec3::Zero();
+  /// N, on `a`: normal and tangential part, in the axes of the world; of an impact NaN
+  Vec3 force = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
 };
 
 /// A link at the end of a step, or after an impact.

@@ -356,6 +356,7 @@ void visit_series_contacts(Visit&& visit) {
   of_row(Column{.name = "state"}, &C::state);
   visit_vector(of_row, {"x_m", "y_m", "z_m"}, "m", &C::place, {});
   visit_vector(of_row, {"nx", "ny", "nz"}, "", &C::normal, {});
+  visit_vector(of_row, {"fx_N", "fy_N", "fz_N"}, "N", &C::force, {});
 }
 
 template <class Visit>
