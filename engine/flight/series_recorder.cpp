@@ -5,6 +5,7 @@
 #include "elastic/elastic_block.h"
 #include "elastic/stress_share.h"
 #include "flight/body_state.h"
+#include "flight/region_means.h"
 #include "world/manifold.h"
 
 namespace flyrock {
@@ -48,6 +49,7 @@ void SeriesRecorder<D>::stepped(double step) {
   put_bodies();
   put_contacts(step);
   put_links(step);
+  put_regions(step);
   put_solve(step);
 }
 
@@ -226,6 +228,12 @@ void SeriesRecorder<D>::put_links(double step) {
     row.end_a.template head<D>() = end_a + world_.origin;
     row.end_b.template head<D>() = end_b + world_.origin;
   }
+}
+
+template <int D>
+void SeriesRecorder<D>::put_regions(double step) {
+  for (const RegionBox& region : request_.regions)
+    rows_.regions.push_back(region_means(world_, region, step));
 }
 
 template <int D>
