@@ -10,7 +10,8 @@ namespace flyrock {
 /// many other scenarios together, under sanitizers minutes.
 inline const std::set<std::string> long_trials{"course/column_collapse.lua",   "course/drum.lua",
                                                "quarry/bench_failure_2d.yaml", "quarry/block_impact_3d.yaml",
-                                               "quarry/joint_blocks_3d.yaml",  "quarry/muck_pile.lua"};
+                                               "quarry/joint_blocks_3d.yaml",  "quarry/muck_pile.lua",
+                                               "quarry/rock_wall_3d.yaml"};
 
 /// Scenarios whose steps are so short that 0.2 s of motion take seconds; they themselves end sooner.
 inline const std::set<std::string> short_steps{"course/bar_on_wall.yaml", "course/brazilian.yaml",

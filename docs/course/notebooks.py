@@ -70,6 +70,10 @@ tilt.plot("time_s", "angle_rad", legend=False, xlabel="time in s", ylabel="tilt 
         "The speeds of the block and of the table: mu = 0.3 (point 0) follows with mu g, mu = 0.6 (point 1) as the table.",
         """speed = table("SELECT point, body, time_s, vx_m_s FROM series_bodies")
 speed.pivot_table(index="time_s", columns=["body", "point"], values="vx_m_s").interpolate().plot(xlabel="time in s", ylabel="v_x in m/s");"""),
+    "belt": (
+        "Where the disk is: it rides with the belt, and slips back in half a swing of the spring.",
+        """path = table("SELECT time_s, x_m FROM series_bodies WHERE body = 'disk' ORDER BY time_s")
+path.plot("time_s", "x_m", legend=False, xlabel="time in s", ylabel="x in m");"""),
     "cradle": (
         "The speeds of the balls at the end, for e = 0.5 (point 0) and e = 1 (point 1).",
         """last = table('SELECT point, "group", vx_m_s FROM trajectories JOIN rocks USING (point, trial, rock) ORDER BY trajectories.time_s')

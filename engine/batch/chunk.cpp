@@ -15,7 +15,7 @@ namespace flyrock {
 namespace {
 
 constexpr std::string_view magic = "flyrchnk";
-constexpr std::uint64_t format = 20;
+constexpr std::uint64_t format = 21;
 
 std::uint64_t crc(std::string_view bytes) {
   return ::crc32_z(0, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());

@@ -17,6 +17,7 @@ SeriesRequest series_of(const Scenario& scenario, const Trial<D>& trial, int wor
   request.names = names_of(scenario, trial, world);
   request.wanted.resize(request.names.bodies.size());
   request.contacts = plan.contacts;
+  request.regions = plan.regions;
   request.meshes = plan.meshes;
   request.every = plan.every;
   request.rows = &rows;
@@ -37,6 +38,7 @@ void add_series(std::uint64_t trial, Series rows, TrialRecords& out) {
   for (SeriesBody& row : rows.bodies) out.series_bodies.push_back({trial, std::move(row)});
   for (SeriesContact& row : rows.contacts) out.series_contacts.push_back({trial, std::move(row)});
   for (SeriesLink& row : rows.links) out.series_links.push_back({trial, std::move(row)});
+  for (SeriesRegion& row : rows.regions) out.series_regions.push_back({trial, std::move(row)});
   for (const SeriesSolve& row : rows.solves) out.series_solves.push_back({trial, row});
   for (SeriesStress& row : rows.stresses) out.series_stress.push_back({trial, std::move(row)});
   for (SeriesNode& row : rows.nodes) out.series_nodes.push_back({trial, std::move(row)});

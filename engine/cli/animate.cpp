@@ -48,6 +48,12 @@ Region region_of(const std::string& text) {
   return {{numbers[0], numbers[1]}, {numbers[2], numbers[3]}};
 }
 
+ForceStyle style_of(const std::string& word) {
+  if (word == "arrows") return ForceStyle::arrows;
+  if (word == "network") return ForceStyle::network;
+  throw UsageError(fmt::format("--forces {}: expected `arrows` or `network`", word));
+}
+
 bool comes_to(const Region& region, const std::vector<StoredPath>& paths) {
   return std::any_of(paths.begin(), paths.end(), [&](const StoredPath& path) {
     return std::any_of(path.moments.begin(), path.moments.end(), [&](const StoredMoment& moment) {
@@ -81,6 +87,9 @@ int animate(const Command& command, const Arguments& arguments) {
                                                         "one picture, of this time")(
       "region", po::value<std::string>()->value_name("X0,Y0,X1,Y1"),
       "what of the scene is seen, in m (3D: in plan); default: all that the rocks pass")(
+      "forces", po::value<std::string>()->default_value("arrows")->value_name("arrows|network"),
+      "how forces of contacts are drawn, where the results have a series: as arrows, or as the force "
+      "network, lines from centre to centre that are wider for greater forces")(
       "width", po::value<std::string>()->default_value("1280")->value_name("PIXELS"), "of films and of PNG");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
@@ -90,6 +99,7 @@ int animate(const Command& command, const Arguments& arguments) {
   const fs::path file = line.has("output") ? fs::path(line.text("output")) : result / "motion.svg";
   std::optional<double> at;
   std::optional<Region> region;
+  const ForceStyle style = style_of(line.text("forces"));
   if (line.has("region")) region = region_of(line.text("region"));
   if (line.has("at")) at = time_of("at", line.text("at"));
   if (at && is_film(file) && file.extension() != ".png")
@@ -108,11 +118,11 @@ int animate(const Command& command, const Arguments& arguments) {
     throw InputError(fmt::format("--region {}: no stored rock comes there", line.text("region")));
   const std::string title = fmt::format("{}, point {}", title_of(result), point);
   if (is_film(file)) {
-    film(frames_of(database, paths, title, at, region), file, width);
+    film(frames_of(database, paths, title, at, region, style), file, width);
     return done;
   }
-  write_file(file, at ? frames_of(database, paths, title, at, region).pictures.front()
-                      : animation_of(database, paths, title, region));
+  write_file(file, at ? frames_of(database, paths, title, at, region, style).pictures.front()
+                      : animation_of(database, paths, title, region, style));
   fmt::print("{}\n", file.string());
   return done;
 }

@@ -420,6 +420,7 @@ Json DocumentSchema::output() {
   keys.add("trajectories", section("output.trajectories").object());
   Keys series = section("output.series");
   series.add("bodies", array_of(SchemaValues::some_text()));
+  series.add("regions", array_of(section("output.series.regions").object()));
   keys.add("series", series.object());
   keys.add("maps", {{"anyOf", Json::array({Json{{"type", "boolean"}}, section("output.maps").object()})}});
   return keys.object();

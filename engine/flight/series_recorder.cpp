@@ -5,6 +5,7 @@
 #include "elastic/elastic_block.h"
 #include "elastic/stress_share.h"
 #include "flight/body_state.h"
+#include "flight/region_means.h"
 #include "world/manifold.h"
 
 namespace flyrock {
@@ -48,6 +49,7 @@ void SeriesRecorder<D>::stepped(double step) {
   put_bodies();
   put_contacts(step);
   put_links(step);
+  put_regions(step);
   put_solve(step);
 }
 
@@ -195,6 +197,9 @@ void SeriesRecorder<D>::put_contacts(double step) {
     if (step > 0) {
       row.rn = row.pn / step;
       row.rt = row.pt / step;
+      row.force.setZero();
+      row.force.template head<D>() =
+          contact_frame(contact.at.normal) * contact.impulse.template head<D>() / step;
       row.state = row.pn == 0        ? SeriesState::open
                   : contact.sticking ? SeriesState::sticking
                                      : SeriesState::sliding;
@@ -223,6 +228,12 @@ void SeriesRecorder<D>::put_links(double step) {
     row.end_a.template head<D>() = end_a + world_.origin;
     row.end_b.template head<D>() = end_b + world_.origin;
   }
+}
+
+template <int D>
+void SeriesRecorder<D>::put_regions(double step) {
+  for (const RegionBox& region : request_.regions)
+    rows_.regions.push_back(region_means(world_, region, step));
 }
 
 template <int D>

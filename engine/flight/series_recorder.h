@@ -14,6 +14,7 @@ namespace flyrock {
 struct SeriesRequest {
   WorldNames names;
   std::vector<bool> wanted;  ///< which bodies have rows
+  std::vector<RegionBox> regions;
   bool contacts = true;
   bool meshes = false;  ///< of deformable bodies at each of their rows; else when they are stressed most
   double every = 0;     ///< s between rows of steps and flights; 0: each step, and the ends of flights
@@ -44,6 +45,7 @@ class SeriesRecorder {
   void put_mesh(int body, const BodyState& state, const Attitude<D>& attitude);
   void put_contacts(double step);
   void put_links(double step);
+  void put_regions(double step);
   void put_solve(double step);
 
   const World<D>& world_;

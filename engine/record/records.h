@@ -95,7 +95,7 @@ struct LastStateRecord : OfRock {
 };
 
 /// A row of a trial: BlockRow, BlockRegionRow, BlockCorner, Fixture, FixtureCorner, SeriesBody,
-/// SeriesContact, SeriesSolve, SeriesStress, SeriesNode or SeriesCell.
+/// SeriesContact, SeriesLink, SeriesRegion, SeriesSolve, SeriesStress, SeriesNode or SeriesCell.
 template <class Row>
 struct TrialRow {
   std::uint64_t trial = 0;
@@ -137,6 +137,7 @@ struct TrialRecords {
   std::vector<TrialRow<SeriesBody>> series_bodies;
   std::vector<TrialRow<SeriesContact>> series_contacts;
   std::vector<TrialRow<SeriesLink>> series_links;
+  std::vector<TrialRow<SeriesRegion>> series_regions;
   std::vector<TrialRow<SeriesSolve>> series_solves;
   std::vector<TrialRow<SeriesStress>> series_stress;
   std::vector<TrialRow<SeriesNode>> series_nodes;

@@ -1,5 +1,6 @@
 #pragma once
-// What a run records over time (`output.series`): bodies, contacts, solves, stresses and meshes, in SI units.
+// What a run records over time (`output.series`): bodies, contacts, links, regions, solves, stresses and
+// meshes, in SI units.
 
 #include <array>
 #include <cmath>
@@ -36,6 +37,8 @@ struct SeriesContact {
   double rn = 0, rt = 0;  ///< N, impulse / step; of an impact NaN, because its impulse has no duration
   SeriesState state = SeriesState::open;
   Vec3 place = Vec3::Zero(), normal = Vec3::Zero();
+  /// N, on `a`: normal and tangential part, in the axes of the world; of an impact NaN
+  Vec3 force = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
 };
 
 /// A link at the end of a step, or after an impact.
@@ -50,6 +53,38 @@ struct SeriesLink {
   double energy = 0;                                        ///< J, of a spring
   Vec3 end_a = Vec3::Zero(), end_b = Vec3::Zero();
 };
+
+/// A box over which a series averages, in the coordinates of the scenario; without z in 2D.
+struct RegionBox {
+  std::string name;
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();  ///< m
+};
+
+/// Means over a region at the end of a step (flight/region_means.h).
+struct SeriesRegion {
+  double time = 0;
+  std::string region;
+  double step = 0;                                     ///< s, its length
+  int bodies = 0;                                      ///< whose centres are in the region
+  double porosity = 1;                                 ///< share that they leave free
+  double stress_xx = 0, stress_yy = 0, stress_zz = 0;  ///< Pa, compression is positive
+  double stress_xy = 0, stress_xz = 0, stress_yz = 0;  ///< Pa
+};
+
+/// The numbers of a SeriesRegion, as measures and columns name them.
+struct RegionQuantity {
+  const char *name, *column, *unit;
+  double SeriesRegion::*value;
+  bool in_space = false;  ///< only in 3D
+};
+inline constexpr std::array<RegionQuantity, 7> region_quantities{
+    {{"porosity", "porosity", "", &SeriesRegion::porosity},
+     {"stress_xx", "stress_xx_Pa", "Pa", &SeriesRegion::stress_xx},
+     {"stress_yy", "stress_yy_Pa", "Pa", &SeriesRegion::stress_yy},
+     {"stress_zz", "stress_zz_Pa", "Pa", &SeriesRegion::stress_zz, true},
+     {"stress_xy", "stress_xy_Pa", "Pa", &SeriesRegion::stress_xy},
+     {"stress_xz", "stress_xz_Pa", "Pa", &SeriesRegion::stress_xz, true},
+     {"stress_yz", "stress_yz_Pa", "Pa", &SeriesRegion::stress_yz, true}}};
 
 /// The solution of the contact problem of a step or an impact.
 struct SeriesSolve {
@@ -119,6 +154,7 @@ struct Series {
   std::vector<SeriesBody> bodies;
   std::vector<SeriesContact> contacts;
   std::vector<SeriesLink> links;
+  std::vector<SeriesRegion> regions;
   std::vector<SeriesSolve> solves;
   std::vector<SeriesStress> stresses;
   std::vector<SeriesNode> nodes;  ///< of deformable blocks when they are stressed most, or at each row

@@ -356,6 +356,7 @@ void visit_series_contacts(Visit&& visit) {
   of_row(Column{.name = "state"}, &C::state);
   visit_vector(of_row, {"x_m", "y_m", "z_m"}, "m", &C::place, {});
   visit_vector(of_row, {"nx", "ny", "nz"}, "", &C::normal, {});
+  visit_vector(of_row, {"fx_N", "fy_N", "fz_N"}, "N", &C::force, {});
 }
 
 template <class Visit>
@@ -372,6 +373,18 @@ void visit_series_links(Visit&& visit) {
   of_row(Column{.name = "energy_J", .unit = "J"}, &L::energy);
   visit_vector(of_row, {"ax_m", "ay_m", "az_m"}, "m", &L::end_a, {});
   visit_vector(of_row, {"bx_m", "by_m", "bz_m"}, "m", &L::end_b, {});
+}
+
+template <class Visit>
+void visit_series_regions(Visit&& visit) {
+  using R = SeriesRegion;
+  const auto of_row = within(visit, &TrialRow<R>::row);
+  of_row(Column{.name = "time_s", .unit = "s"}, &R::time);
+  of_row(Column{.name = "region"}, &R::region);
+  of_row(Column{.name = "step_s", .unit = "s"}, &R::step);
+  of_row(Column{.name = "bodies"}, &R::bodies);
+  for (const RegionQuantity& number : region_quantities)
+    of_row(Column{.name = number.column, .unit = number.unit, .in_space = number.in_space}, number.value);
 }
 
 template <class Visit>
@@ -521,6 +534,8 @@ void visit_tables(Records& records, See&& see) {
       [](auto&& visit) { visit_series_contacts(visit); });
   see(Table{"series_links", Part::whole, trial}, records.series_links,
       [](auto&& visit) { visit_series_links(visit); });
+  see(Table{"series_regions", Part::whole, trial}, records.series_regions,
+      [](auto&& visit) { visit_series_regions(visit); });
   see(Table{"series_solves", Part::whole, trial}, records.series_solves,
       [](auto&& visit) { visit_series_solves(visit); });
   see(Table{"series_stress", Part::whole, trial}, records.series_stress,

@@ -56,6 +56,9 @@ class PointTally {
   void keep_series(const TrialRecords& chunk) {
     for (const auto& [trial, row] : chunk.series_links)
       if (trial == chunk.series_links.front().trial && !series_is_known_) result_.series.links.push_back(row);
+    for (const auto& [trial, row] : chunk.series_regions)
+      if (trial == chunk.series_regions.front().trial && !series_is_known_)
+        result_.series.regions.push_back(row);
     for (const auto& [trial, row] : chunk.series_contacts)
       if (trial == chunk.series_contacts.front().trial && !series_is_known_)
         result_.series.contacts.push_back(row);

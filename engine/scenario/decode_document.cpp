@@ -77,11 +77,13 @@ class DocumentDecoder {
     }
     if (const auto settle = root_.find("settle")) {
       scenario_.settle = decode_settle(context_, *settle);
-      check_settle(*settle);
+      check_together(*settle);
     }
     if (const auto start = root_.find("start")) start_bodies(*start);
     if (const auto stop = root_.find("stop")) scenario_.stop = decode_stop(context_, *stop);
     scenario_.output = decode_output(context_, *root_.find("output"), names_for_series());
+    if (const auto series = root_.find("output")->find("series"))
+      if (const auto regions = series->find("regions")) check_together(*regions);
     if (scenario_.observed && !scenario_.output.rocks)
       error_at("observed", "compares each rock, which needs `output.rocks: true`");
     if (const auto expect = root_.find("expect"))
@@ -153,11 +155,12 @@ class DocumentDecoder {
   }
 
   /// Bodies settle on each other.
-  void check_settle(const Node& settle) {
+  /// Of a key that is about all bodies of one world.
+  void check_together(const Node& key) {
     if (scenario_.method != Method::nscd)
-      settle.error(context_.diagnostics, "needs the method `nscd`");
+      key.error(context_.diagnostics, "needs the method `nscd`");
     else if (!root_.find("bodies") && !scenario_.rock_contacts)
-      settle.error(context_.diagnostics, "needs `bodies`, or `rock_contacts: on`");
+      key.error(context_.diagnostics, "needs `bodies`, or `rock_contacts: on`");
   }
 
   /// Bodies start where others ended.

@@ -54,6 +54,21 @@ SettlePlan decode_settle(DecodeContext& context, const Node& node) {
   return {.until = section.constant("until"), .at_most = section.constant("at_most")};
 }
 
+RegionBox decode_region(DecodeContext& context, const Node& node) {
+  const Section section = decode_section(context, node, "output.series.regions");
+  const std::vector<Vec3> corners = section.points("corners");
+  RegionBox region{.name = section.text("name")};
+  bool is_box = corners.size() == 2;
+  for (int k = 0; k < context.dimension && is_box; ++k) is_box = corners[0][k] != corners[1][k];
+  if (is_box) {
+    region.low = corners[0].cwiseMin(corners[1]);
+    region.high = corners[0].cwiseMax(corners[1]);
+  } else if (const auto given = node.find("corners")) {
+    given->error(context.diagnostics, "expected two opposite corners of a box");
+  }
+  return region;
+}
+
 SeriesPlan decode_series(DecodeContext& context, const Node& node, const std::vector<std::string>& names) {
   const Section section = decode_section(context, node, "output.series");
   SeriesPlan plan;
@@ -66,6 +81,9 @@ SeriesPlan decode_series(DecodeContext& context, const Node& node, const std::ve
                    fmt::format("there is no body or group `{}`{}", *name, suggestion(*name, names)));
       plan.bodies.push_back(*name);
     }
+  if (const std::optional<Node> regions = node.find("regions"))
+    plan.regions =
+        decode_list<RegionBox>(*regions, [&](const Node& item) { return decode_region(context, item); });
   plan.contacts = section.constant("contacts") != 0;
   plan.meshes = section.constant("meshes") != 0;
   plan.every = section.text("every") == "step" ? 0 : section.constant("every");

@@ -84,6 +84,14 @@ const Table contact_quantities{{"gap", dimension::length},
                                {"rt", force}};
 const Table link_quantities{
     {"force", force}, {"length", dimension::length}, {"angle", dimension::angle}, {"impulse", impulse}};
+/// Measures of a region, over the rows of its series.
+Table region_table(int dimension) {
+  Table table;
+  for (const RegionQuantity& number : region_quantities)
+    if (dimension == 3 || !number.in_space)
+      table.push_back({number.name, parse_unit(number.unit).value_or(Unit{}).dimension});
+  return table;
+}
 /// Measures of a deformable body, over the rows of its series.
 const Table stress_table = [] {
   Table table;
@@ -126,14 +134,15 @@ class MeasureParser {
       : measure_(measure), names_(names), steps_(measure_steps(measure)) {}
 
   MeasureInfo parse() {
-    static const std::vector<std::string> kinds{"body",      "assembly", "contact", "link",
-                                                "rocks",     "gate",     "barrier", "trees",
-                                                "clearance", "exposure", "energy",  "solver"};
+    static const std::vector<std::string> kinds{"body",     "assembly", "contact", "link",  "region",
+                                                "rocks",    "gate",     "barrier", "trees", "clearance",
+                                                "exposure", "energy",   "solver"};
     const std::string kind = next(kinds);
     if (kind == "body") parse_body();
     if (kind == "assembly") parse_assembly();
     if (kind == "contact") parse_contact();
     if (kind == "link") parse_link();
+    if (kind == "region") parse_region();
     if (kind == "rocks") parse_rocks();
     if (kind == "gate") {
       Table quantities = gate_quantities;
@@ -253,6 +262,11 @@ class MeasureParser {
     if (steps_[2] == "angle" &&
         std::find(names_.hinges.begin(), names_.hinges.end(), steps_[1]) == names_.hinges.end())
       return fail(fmt::format("the link `{}` is no hinge, it has no angle", steps_[1]));
+    parse_over_time();
+  }
+
+  void parse_region() {
+    parse_named("output.series.regions", names_.regions, region_table(names_.dimension));
     parse_over_time();
   }
 

@@ -22,8 +22,9 @@ struct MeasureNames {
   std::vector<std::string> clearances;
   std::vector<std::string> with_factor;  ///< clearances that have a factor
   std::vector<std::string> exposures;
-  bool forest = false;  ///< the scenario has trees
-  bool series = false;  ///< the scenario asks for output.series
+  bool forest = false;                    ///< the scenario has trees
+  bool series = false;                    ///< the scenario asks for output.series
+  std::vector<std::string> regions = {};  ///< of output.series
 };
 
 struct MeasureInfo {
@@ -39,6 +40,7 @@ struct MeasureInfo {
 ///   contact.<a>.<b>.gap|un|ut|rn|rt.mean|max|min|final|at[time], a and b bodies, b also `terrain`,
 ///   link.<name>.force|length|angle.mean|max|min|final|at[time], angle of a hinge only,
 ///   link.<name>.impulse.mean|max|min|final, of impacts,
+///   region.<name>.porosity|stress_xx|stress_yy|...mean|max|min|final|at[time],
 ///   energy.total.relative_change, solver.<quantity>,
 ///   rocks[.<group>].<quantity>.<statistic>, rocks[.<group>].count|censored,
 ///   gate.<name>.passed[.per_trial]|per_trial|mean_energy|p95_energy|p95_height,

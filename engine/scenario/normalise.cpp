@@ -170,7 +170,12 @@ class Normaliser {
     return {};
   }
 
-  Value series(const Node& node) { return with_bodies(node, "output.series"); }
+  Value series(const Node& node) {
+    Value section = with_bodies(node, "output.series");
+    if (const auto regions = node.find("regions"); regions && section.map())
+      put(*section.map(), *regions, normalise_list_of(context_, *regions, "output.series.regions"));
+    return section;
+  }
 
   /// A section with a list of names of bodies.
   Value with_bodies(const Node& node, const char* name) {
@@ -287,7 +292,11 @@ MeasureNames measure_names(const Node& root, int dimension) {
                      .with_factor = {},
                      .exposures = element_names(root.find("exposure")),
                      .forest = root.find("forest").has_value()};
-  if (const auto output = root.find("output")) names.series = output->find("series").has_value();
+  if (const auto output = root.find("output"))
+    if (const auto series = output->find("series")) {
+      names.series = true;
+      names.regions = element_names(series->find("regions"));
+    }
   if (const auto links = root.find("links"))
     for (const Node& item : links->items())
       if (const auto name = item.find("name"), type = item.find("type");

@@ -25,6 +25,7 @@
 #include "plugin/registry.h"
 #include "record/last_state.h"
 #include "record/link_type.h"
+#include "record/series.h"
 #include "scenario/ground_store.h"
 #include "scenario/observed.h"
 #include "scenario/rock_table.h"
@@ -387,8 +388,9 @@ struct SeriesPlan {
   std::vector<std::string> bodies;  ///< bodies or groups of rocks; empty: all
   bool contacts = true;
   bool meshes = false;  ///< of deformable bodies at each row; else when they are stressed most
-  double every = 0;     ///< s between rows; 0: each step
-  int first = 1;        ///< number of trials with series
+  std::vector<RegionBox> regions;
+  double every = 0;  ///< s between rows; 0: each step
+  int first = 1;     ///< number of trials with series
 };
 
 /// The maps of a 3D run (record/maps.h).

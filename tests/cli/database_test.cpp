@@ -31,7 +31,7 @@ TEST_CASE("The database holds what the other tables hold, and every drawn number
           "expect:\n  - { measure: rocks.count, equals: 4 }\n  - { measure: rocks.runout.p95, below: 1 }\n");
   REQUIRE(call(folder, "run s.yaml -o r --quiet").code == 1);
   const fs::path db = folder.path() / "r/results.db";
-  CHECK(query(db, "SELECT * FROM points") == std::vector<std::string>{"0|4|NULL", "1|4|NULL"});
+  CHECK(query(db, "SELECT * FROM points") == std::vector<std::string>{"0|4|NULL|NULL", "1|4|NULL|NULL"});
   CHECK(query(db, "SELECT * FROM sweep") ==
         std::vector<std::string>{"0|materials.rock.friction.mu|0.5|NULL",
                                  "1|materials.rock.friction.mu|0.7|NULL"});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include "program.h"
@@ -264,6 +265,72 @@ output: { series: {} }
     sum += force;
   }
   CHECK((sum - Eigen::Vector3d(0, 3 * 9.81, 0)).norm() < 1e-6);  // together they carry the weight
+}
+
+/// Three disks of 1 kg on each other between walls, of which every 50 ms of a settled column have rows.
+constexpr const char* column_of_disks = R"(
+flyrock: 1
+title: a column of disks
+dimension: 2
+method: nscd
+terrain: { type: profile, points: [[-5, 0], [5, 0]], material: rock }
+materials: { rock: { friction: { type: coulomb, mu: 0.6 } } }
+bodies:
+  - { name: low, shape: { type: disk, radius: 0.5 }, mass: 1 kg, material: rock, position: [0, 0.5] }
+  - { name: middle, shape: { type: disk, radius: 0.5 }, mass: 1 kg, material: rock, position: [0, 1.5] }
+  - { name: high, shape: { type: disk, radius: 0.5 }, mass: 1 kg, material: rock, position: [0, 2.5] }
+stop: { time: 1 s, speed: 0 }
+output: { series: { every: 50 ms } }
+)";
+
+TEST_CASE("ParaView gets the force network as lines from centre to centre") {
+  const Folder folder;
+  folder.write("s.yaml", column_of_disks);
+  REQUIRE(call(folder, "run s.yaml -o r --quiet").code == 0);
+  REQUIRE(call(folder, "export r --to vtk").code == 0);
+  const auto series = series_of(folder.path() / "r/vtk/network-p0.pvd");
+  REQUIRE(series.size() > 100);
+  // Between its rows the series stands, also at the end.
+  for (const std::size_t k : {std::size_t{77}, series.size() - 1}) {
+    const std::string text = read(folder.path() / "r/vtk" / series[k].second);
+    CHECK(text.find("NumberOfPoints=\"8\" NumberOfVerts=\"0\" NumberOfLines=\"3\"") != std::string::npos);
+    const std::string array = "Name=\"normal_force_N\" NumberOfComponents=\"1\" format=\"ascii\">";
+    const std::size_t at = text.find(array);
+    REQUIRE(at != std::string::npos);
+    std::istringstream numbers(text.substr(at + array.size()));
+    std::multiset<long> weights;  // above a contact, in disks
+    for (int i = 0; i < 3; ++i) {
+      double force = 0;
+      numbers >> force;
+      CHECK(force / 9.81 == Approx(std::round(force / 9.81)).margin(1e-6));
+      weights.insert(std::lround(force / 9.81));
+    }
+    CHECK(weights == std::multiset<long>{1, 2, 3});
+  }
+}
+
+TEST_CASE("animate draws the force network with lines as wide as the forces") {
+  const Folder folder;
+  folder.write("s.yaml", column_of_disks);
+  REQUIRE(call(folder, "run s.yaml -o r --quiet").code == 0);
+  REQUIRE(call(folder, "animate r -o end.svg --at 9s --forces network").code == 0);
+  const std::string picture = read(folder.path() / "end.svg");
+  CHECK(picture.find("widest line 29.4 N") != std::string::npos);
+  // Of eight widths, those nearest to 1/3, 2/3 and 3/3 have a line: from centre to centre, and one to the
+  // ground.
+  for (int width = 1; width <= 8; ++width) {
+    const std::size_t at = picture.find("<path stroke-width=\"" + std::to_string(width) + "\"");
+    REQUIRE(at != std::string::npos);
+    const std::string path = picture.substr(at, picture.find('>', at) - at);
+    CHECK(count_of(path, "M") == (width == 3 || width == 5 || width == 8 ? 2u : 1u));
+    CHECK(count_of(path, "L") == (width == 3 || width == 5 ? 2u : width == 8 ? 1u : 0u));
+  }
+  // Arrows are the default.
+  REQUIRE(call(folder, "animate r -o arrows.svg --at 9s").code == 0);
+  CHECK(read(folder.path() / "arrows.svg").find("longest arrow 29.4 N") != std::string::npos);
+  CHECK(
+      call(folder, "animate r --forces chains").err.find("--forces chains: expected `arrows` or `network`") !=
+      std::string::npos);
 }
 
 TEST_CASE("In 2D ParaView gets polygons and disks, turned by their angle") {

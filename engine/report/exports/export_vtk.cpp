@@ -73,13 +73,32 @@ void write_contacts(const fs::path& index, double end, const std::vector<StoredC
                     const std::string& crs) {
   write_vtp_series(index, end, most_vtk_steps, crs, [&](double time) {
     VtkPoints now;
-    VtkArray forces{"force_N", {}, 3};
+    VtkArray forces{"force_N", {}, 3}, normals{"normal", {}, 3};
     for (const StoredContact& contact : contacts)
       if (const StoredForce* force = contact.at(time)) {
         now.points.push_back(force->place);
         forces.values.insert(forces.values.end(), force->force.begin(), force->force.end());
+        normals.values.insert(normals.values.end(), force->normal.begin(), force->normal.end());
       }
-    now.of_points = {std::move(forces)};
+    now.of_points = {std::move(forces), std::move(normals)};
+    return now;
+  });
+}
+
+/// The force network: a line for each contact that carries a force.
+void write_network(const fs::path& index, double end, const std::vector<StoredContact>& contacts,
+                   const std::string& crs) {
+  write_vtp_series(index, end, most_vtk_steps, crs, [&](double time) {
+    VtkPoints now;
+    VtkArray forces{"normal_force_N", {}};
+    for (const StoredContact& contact : contacts)
+      if (const StoredForce* force = contact.at(time)) {
+        const std::vector<Vec3> line = contact.line(*force, time);
+        now.points.insert(now.points.end(), line.begin(), line.end());
+        now.line_ends.push_back(now.points.size());
+        forces.values.push_back(force->along_normal());
+      }
+    now.of_cells = {std::move(forces)};
     return now;
   });
 }
@@ -159,9 +178,11 @@ std::vector<fs::path> export_vtk(const fs::path& results, const fs::path& folder
     }
     const fs::path meshes = folder / fmt::format("meshes-p{}.pvd", point);
     if (write_meshes(meshes, database, point, crs)) files.push_back(meshes);
-    if (const auto contacts = stored_contacts(database, point, 0); !contacts.empty()) {
+    if (const auto contacts = stored_contacts(database, point, 0, paths); !contacts.empty()) {
       files.push_back(folder / fmt::format("contacts-p{}.pvd", point));
       write_contacts(files.back(), end_of(paths), contacts, crs);
+      files.push_back(folder / fmt::format("network-p{}.pvd", point));
+      write_network(files.back(), end_of(paths), contacts, crs);
     }
     files.push_back(folder / fmt::format("ground-p{}.vtp", point));
     write_ground(files.back(), database, point, crs);

@@ -22,8 +22,9 @@ namespace flyrock {
 ///   meshes-p<point>.pvd         the meshes of deformable bodies (vtk_meshes.h), if the first trial has a
 ///                               series
 ///   contacts-p<point>.pvd       if the first trial has a series: the contacts that carry a force, as
-///                               points with the vector force_N on the first body of the pair (in 3D
-///                               without its tangential part), in the step that contains the time
+///                               points with the vector force_N on the first body of the pair and the
+///                               normal towards it, at the time (StoredContact::at)
+///   network-p<point>.pvd        the same contacts as lines from centre to centre with normal_force_N
 /// `mode` is the index in travel_mode_names. The field data `crs` of each file is the coordinate system,
 /// where it is known. Returns the files except those of the steps; none if no trajectory is stored. Throws
 /// FileError.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "report/page/html.h"
@@ -16,7 +17,8 @@ namespace {
 
 constexpr double legend_high = 52;    // pixels: axis of time, then the ruler
 constexpr double longest_arrow = 70;  // pixels
-constexpr const char* arrow_colour = "#c4531b";
+constexpr double widest_line = 8;     // pixels, of the force network
+constexpr const char* force_colour = "#c4531b";
 
 std::vector<Actor> actors_of(const SqliteReader& database, const std::vector<StoredPath>& paths,
                              const std::vector<StoredFixture>& fixtures) {
@@ -148,17 +150,23 @@ std::string arrow(const Vec2& tail, const Vec2& tip) {
   return points_of({tail, tip, Vec2(back + 0.5 * head * across), tip, Vec2(back - 0.5 * head * across)});
 }
 
-/// The force of the longest arrow [N]; 0 without forces.
-double greatest_force(const std::vector<StoredContact>& contacts) {
+/// What an arrow or a line of the greatest size is [N]; 0 without forces. Arrows have one scale for the run,
+/// the network has one for the moments that are shown, because blows would hide the weight of a pile.
+double greatest_force(const std::vector<StoredContact>& contacts, ForceStyle style, const Stage& stage) {
   double greatest = 0;
-  for (const StoredContact& contact : contacts)
-    for (const StoredForce& force : contact.forces) greatest = std::max(greatest, force.force.norm());
+  for (const StoredContact& contact : contacts) {
+    if (style == ForceStyle::arrows) {
+      for (const StoredForce& force : contact.forces) greatest = std::max(greatest, force.force.norm());
+      continue;
+    }
+    for (const double t : stage.moments())
+      if (const StoredForce* force = contact.at(t)) greatest = std::max(greatest, force->along_normal());
+  }
   return greatest;
 }
 
-std::string forces(const std::vector<StoredContact>& contacts, double greatest, const Stage& stage) {
-  if (greatest == 0) return "";
-  std::string out = fmt::format("<g fill=\"none\" stroke=\"{}\" stroke-width=\"2\">\n", arrow_colour);
+std::string arrows(const std::vector<StoredContact>& contacts, double greatest, const Stage& stage) {
+  std::string out = fmt::format("<g fill=\"none\" stroke=\"{}\" stroke-width=\"2\">\n", force_colour);
   for (const StoredContact& contact : contacts)
     out += element("polyline", {stage.animate("points", Stage::Pace::discrete,
                                               [&](double t) {
@@ -173,21 +181,54 @@ std::string forces(const std::vector<StoredContact>& contacts, double greatest, 
   return out + "</g>\n";
 }
 
-/// What a length in the picture is, and the length of an arrow.
-std::string legend(const Stage& stage, double greatest) {
+/// A line as a part of the path of an SVG picture.
+std::string path_along(const std::vector<Vec3>& line, const Stage& stage) {
+  std::string path;
+  for (const Vec3& place : line) {
+    const Vec2 pixel = stage.pixel(place);
+    path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? 'M' : 'L', pixel.x(), pixel.y());
+  }
+  return path;
+}
+
+/// The force network. Lines of about one width are one path.
+std::string network(const std::vector<StoredContact>& contacts, double greatest, const Stage& stage) {
+  constexpr int widths = 8;
+  std::string out = fmt::format("<g fill=\"none\" stroke=\"{}\" stroke-linecap=\"round\">\n", force_colour);
+  for (int width = 1; width <= widths; ++width)
+    out += element(fmt::format("path stroke-width=\"{:g}\"", width * widest_line / widths),
+                   {stage.animate("d", Stage::Pace::discrete,
+                                  [&](double t) {
+                                    std::string lines = "M-9 -9";  // some browsers refuse an empty path
+                                    for (const StoredContact& contact : contacts) {
+                                      const StoredForce* force = contact.at(t);
+                                      if (!force) continue;
+                                      const double share = force->along_normal() / greatest;
+                                      if (std::lround(widths * share) == width)
+                                        lines += path_along(contact.line(*force, t), stage);
+                                    }
+                                    return lines;
+                                  })}) +
+           "\n";
+  return out + "</g>\n";
+}
+
+/// What a length in the picture is, and the greatest force.
+std::string legend(const Stage& stage, ForceStyle style, double greatest) {
   double end = 0;
   std::string out = stage.ruler(end);
   if (greatest > 0)
-    out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">longest arrow {:.3g} {}</text>\n",
-                       end + 12, stage.height + 42, arrow_colour, greatest < 1e3 ? greatest : greatest / 1e3,
-                       greatest < 1e3 ? "N" : "kN");
+    out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{} {:.3g} {}</text>\n", end + 12,
+                       stage.height + 42, force_colour,
+                       style == ForceStyle::arrows ? "longest arrow" : "widest line",
+                       greatest < 1e3 ? greatest : greatest / 1e3, greatest < 1e3 ? "N" : "kN");
   return out;
 }
 
 /// What there is to draw, and where.
 struct Scene {
   Scene(const SqliteReader& database, const std::vector<StoredPath>& paths,
-        const std::optional<Region>& region)
+        const std::optional<Region>& region, ForceStyle wanted)
       : fixtures(stored_fixtures(database, paths)),
         links(stored_links(database, paths, fixtures)),
         actors(actors_of(database, paths, fixtures)),
@@ -196,7 +237,8 @@ struct Scene {
         stage(actors, fixed_ends(links), dimension, region),
         ground(dimension == 2 ? ground_in_plane(database, point, stage)
                               : ground_in_space(database, point, stage)),
-        contacts(stored_contacts(database, point, paths.front().trial)) {
+        contacts(stored_contacts(database, point, paths.front().trial, paths)),
+        style(wanted) {
     std::stable_sort(actors.begin(), actors.end(), [&](const Actor& a, const Actor& b) {
       return stage.view.near.dot(a.path.moments.front().place) <
              stage.view.near.dot(b.path.moments.front().place);
@@ -210,7 +252,8 @@ struct Scene {
   int dimension;
   Stage stage;
   std::string ground;
-  std::vector<StoredContact> contacts;
+  std::vector<StoredContact> contacts;  ///< of the same paths
+  ForceStyle style;
 };
 
 std::string drawn(const Scene& scene, const std::string& title) {
@@ -224,24 +267,25 @@ std::string drawn(const Scene& scene, const std::string& title) {
   out += ways(scene.actors, stage);
   for (const Actor& actor : scene.actors) out += animated_rock(actor, stage, scene.dimension);
   out += drawn_links(scene.links, stage);
-  const double greatest = greatest_force(scene.contacts);
+  const double greatest = greatest_force(scene.contacts, scene.style, stage);
   out += names(scene.actors, stage);
-  out += forces(scene.contacts, greatest, stage);
+  if (greatest > 0)
+    out += (scene.style == ForceStyle::arrows ? arrows : network)(scene.contacts, greatest, stage);
   if (scene.dimension == 2) out += stage.heights();
-  return out + "</g></svg>\n" + stage.axis() + legend(stage, greatest) + "</svg>\n";
+  return out + "</g></svg>\n" + stage.axis() + legend(stage, scene.style, greatest) + "</svg>\n";
 }
 
 }  // namespace
 
 std::string animation_of(const SqliteReader& database, const std::vector<StoredPath>& paths,
-                         const std::string& title, const std::optional<Region>& region) {
-  return paths.empty() ? "" : drawn(Scene(database, paths, region), title);
+                         const std::string& title, const std::optional<Region>& region, ForceStyle style) {
+  return paths.empty() ? "" : drawn(Scene(database, paths, region, style), title);
 }
 
 Frames frames_of(const SqliteReader& database, const std::vector<StoredPath>& paths, const std::string& title,
-                 std::optional<double> time, const std::optional<Region>& region) {
+                 std::optional<double> time, const std::optional<Region>& region, ForceStyle style) {
   if (paths.empty()) return {};
-  Scene scene(database, paths, region);
+  Scene scene(database, paths, region, style);
   const std::vector<double> all = scene.stage.times;
   Frames frames;
   frames.rate = static_cast<double>(all.size() - 1) / scene.stage.shown;

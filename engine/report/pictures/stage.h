@@ -75,6 +75,8 @@ class Stage {
   std::vector<double> times;    ///< s, of the frames
   double shown = 0;             ///< s, how long the picture takes
   std::optional<double> still;  ///< s, of the only frame, for a picture that does not move
+  /// The times of the frames that are shown [s].
+  std::vector<double> moments() const { return still ? std::vector{*still} : times; }
   double scale = 1, width = 0, height = 0;
 
  private:

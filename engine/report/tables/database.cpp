@@ -16,7 +16,7 @@ namespace flyrock {
 namespace {
 
 constexpr const char* schema = R"(
-CREATE TABLE points (point INTEGER PRIMARY KEY, trials INTEGER, ground INTEGER);
+CREATE TABLE points (point INTEGER PRIMARY KEY, trials INTEGER, ground INTEGER, series_every_s REAL);
 CREATE TABLE sweep (point INTEGER, path TEXT, value REAL, label TEXT);
 CREATE TABLE parts (point INTEGER, part INTEGER, name TEXT);
 CREATE TABLE ground (point INTEGER, x_m REAL, y_m REAL, part INTEGER);
@@ -248,11 +248,13 @@ void ResultDatabase::finish(const Results& results, const GroundPictures& ground
                             const std::string& report) {
   {
     Insertion(file_, "report", 1).row(report);
-    Insertion points(file_, "points", 3), parts(file_, "parts", 3);
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    Insertion points(file_, "points", 4), parts(file_, "parts", 3);
     for (std::size_t p = 0; p < results.points.size(); ++p) {
       const int ground = grounds.of_point[p];
-      points.row(p, results.points[p].trials,
-                 ground < 0 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(ground));
+      const std::optional<SeriesPlan>& series = plan_.points[p].output.series;
+      points.row(p, results.points[p].trials, ground < 0 ? none : static_cast<double>(ground),
+                 series ? series->every : none);
       const std::vector<std::string>& names = results.points[p].terrain.parts;
       for (std::size_t part = 0; part < names.size(); ++part) parts.row(p, part, names[part]);
     }

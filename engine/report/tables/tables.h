@@ -14,7 +14,7 @@ struct Plan;
 
 /// The version of the layout of a result folder and its database. It is raised if an older flyrock would
 /// misread a new folder, or this flyrock an older folder.
-inline constexpr int result_format = 17;
+inline constexpr int result_format = 18;
 
 /// One row for each rock, in the order of point, trial and rock. Numbers are the shortest decimals that read
 /// back as the same double; a missing number is an empty field; censored is 0 or 1. `weighted`: the rocks

@@ -58,6 +58,8 @@ Measure::Measure(const std::string& name, const Scenario& scenario) : dimension_
     read_contact(words);
   } else if (words[0] == "link") {
     read_link(words);
+  } else if (words[0] == "region") {
+    read_region(words);
   } else if (words[0] == "rocks") {
     read_rocks(words, scenario);
   } else if (words[0] == "gate") {
@@ -138,6 +140,15 @@ void Measure::read_link(const std::vector<std::string>& words) {
   link_ = {words[1], words[2], {time ? "at" : words[3], time.value_or(0), words[2] == "impulse"}};
 }
 
+void Measure::read_region(const std::vector<std::string>& words) {
+  kind_ = Kind::region;
+  region_.region = words[1];
+  for (const RegionQuantity& number : region_quantities)
+    if (words[2] == number.name) region_.quantity = number.value;
+  const std::optional<double> time = time_of_step(words[3]);
+  region_.over = {time ? "at" : words[3], time.value_or(0), false};
+}
+
 Measured Measure::value(const PointResult& result) const {
   switch (kind_) {
     case Kind::count:
@@ -156,6 +167,10 @@ Measured Measure::value(const PointResult& result) const {
     }
     case Kind::link: {
       const OverSteps::Answer answer = link_.value(result.series.links);
+      return {answer.value, false, answer.fault};
+    }
+    case Kind::region: {
+      const OverSteps::Answer answer = region_.value(result.series.regions);
       return {answer.value, false, answer.fault};
     }
     case Kind::stress:

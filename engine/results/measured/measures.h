@@ -14,6 +14,7 @@
 #include "results/measured/link_measure.h"
 #include "results/measured/plan_reach.h"
 #include "results/measured/reach.h"
+#include "results/measured/region_measure.h"
 #include "results/measured/runout_by_azimuth.h"
 #include "results/measured/stressed_block.h"
 #include "results/risk/exposure.h"
@@ -73,7 +74,8 @@ class Measure {
   /// Whether it needs the full number of trials, as statistics of rocks do.
   bool of_rocks() const {
     return kind_ != Kind::body && kind_ != Kind::stress && kind_ != Kind::assembly &&
-           kind_ != Kind::contact && kind_ != Kind::link && kind_ != Kind::energy && kind_ != Kind::solver;
+           kind_ != Kind::contact && kind_ != Kind::link && kind_ != Kind::region && kind_ != Kind::energy &&
+           kind_ != Kind::solver;
   }
   Measured value(const PointResult& result) const;
   /// The interval beside the value; NaN if there is none.
@@ -94,6 +96,7 @@ class Measure {
     assembly,
     contact,
     link,
+    region,
     energy,
     solver
   };
@@ -103,6 +106,7 @@ class Measure {
   void read_body(const std::vector<std::string>& words, const Scenario& scenario);
   void read_contact(const std::vector<std::string>& words);
   void read_link(const std::vector<std::string>& words);
+  void read_region(const std::vector<std::string>& words);
   static Measured solver_value(const PointResult& result, const std::string& field);
   Measured gate_value(const GateSummary& gate) const;
   Measured barrier_value(const BarrierSummary& barrier) const;
@@ -124,6 +128,7 @@ class Measure {
   std::string field_;  ///< x, vn_before, max_residual
   ContactMeasure contact_;
   LinkMeasure link_;
+  RegionMeasure region_;
   std::size_t quantity_ = 0;  ///< of rock_statistics
   Statistic statistic_ = Statistic::mean;
   std::vector<bool> moves_;                 ///< of an assembly: which bodies of the scenario
