@@ -87,9 +87,9 @@ int animate(const Command& command, const Arguments& arguments) {
                                                         "one picture, of this time")(
       "region", po::value<std::string>()->value_name("X0,Y0,X1,Y1"),
       "what of the scene is seen, in m (3D: in plan); default: all that the rocks pass")(
-      "forces", po::value<std::string>()->default_value("arrows")->value_name("arrows|network"),
-      "how forces of contacts are drawn, where the results have a series: as arrows, or as the force "
-      "network, lines from centre to centre that are wider for greater forces")(
+      "forces", po::value<std::string>()->value_name("arrows|network"),
+      "how forces of contacts are drawn, where the results have a series: as arrows (default), or as the "
+      "force network, lines from centre to centre that are wider for greater forces")(
       "width", po::value<std::string>()->default_value("1280")->value_name("PIXELS"), "of films and of PNG");
   const CommandLine line = parse(command, options, arguments, 1, 1);
   if (line.help) return done;
@@ -99,7 +99,7 @@ int animate(const Command& command, const Arguments& arguments) {
   const fs::path file = line.has("output") ? fs::path(line.text("output")) : result / "motion.svg";
   std::optional<double> at;
   std::optional<Region> region;
-  const ForceStyle style = style_of(line.text("forces"));
+  const ForceStyle style = line.has("forces") ? style_of(line.text("forces")) : ForceStyle::arrows;
   if (line.has("region")) region = region_of(line.text("region"));
   if (line.has("at")) at = time_of("at", line.text("at"));
   if (at && is_film(file) && file.extension() != ".png")
