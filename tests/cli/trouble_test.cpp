@@ -103,13 +103,13 @@ TEST_CASE("A result of an older format is neither read nor gone on with") {
   folder.write("s.yaml", bench);
   REQUIRE(call(folder, "run s.yaml --quiet -o r").code == 0);
   std::string manifest = read(folder.path() / "r/manifest.json");
-  const std::string format = "\"format\": 17";
+  const std::string format = "\"format\": 18";
   const std::size_t at = manifest.find(format);
   REQUIRE(at != std::string::npos);
   folder.write("r/manifest.json", manifest.replace(at, format.size(), "\"format\": 2"));
   for (const char* command : {"report r", "export r --to csv", "merge r -o m", "run s.yaml --resume -o r"})
     check_refused(folder, command,
-                  "error: r was written by flyrock 0.1.0 in format 2, this one has format 17: run the "
+                  "error: r was written by flyrock 0.1.0 in format 2, this one has format 18: run the "
                   "scenario again, with --force or -o DIR\n");
   CHECK(folder.has("r/results.db"));
   CHECK(call(folder, "run s.yaml --force --quiet -o r").code == 0);
