@@ -72,7 +72,7 @@ constexpr const char* inputs_view =
     "JOIN input_paths USING (input);";
 
 // Built after the rows, because an index that grows with the rows takes longer.
-constexpr const char* indices = R"(
+constexpr const char* index_statements = R"(
 CREATE UNIQUE INDEX rocks_by_rock ON rocks (point, trial, rock);
 CREATE INDEX gates_by_rock ON gates (point, trial, rock);
 CREATE INDEX barriers_by_rock ON barriers (point, trial, rock);
@@ -149,11 +149,11 @@ void add_maps(const SqliteFile& file, const Results& results) {
     if (grid.empty()) continue;
     grids.row(p, grid.low.x(), grid.low.y(), grid.cell, grid.columns, grid.rows);
     const auto columns = static_cast<std::uint32_t>(grid.columns);
-    rows.rows(results.points[p].maps.cells, [&](Statement& to, const MapRasters::Cell& cell) {
-      to.put(p, cell.index % columns, cell.index / columns);
+    rows.rows(results.points[p].maps.cells, [&](Statement& to, const MapRasters::Cell& raster) {
+      to.put(p, raster.index % columns, raster.index / columns);
       for (std::size_t m = 0; m < map_names.size(); ++m) {
         // A column of INTEGER stores whole numbers as such.
-        to.put(cell.values[m]);
+        to.put(raster.values[m]);
       }
     });
   }
@@ -242,7 +242,7 @@ void ResultDatabase::add(int point, const TrialRecords& records) {
   });
 }
 
-void ResultDatabase::index() { file_.execute(indices); }
+void ResultDatabase::index() { file_.execute(index_statements); }
 
 void ResultDatabase::finish(const Results& results, const GroundPictures& grounds,
                             const std::string& report) {
