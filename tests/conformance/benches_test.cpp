@@ -165,7 +165,7 @@ TEST_CASE("a bund on berms stands at their outer edges") {
   CHECK_THROWS_WITH(section(numbers({{"bund.height", 4.0}, {"bund.on", "berm"}})),
                     Catch::Contains("bund is 11.6164 m wide at its base, the berm 8 m"));
   CHECK_THROWS_WITH(section(numbers({{"bund.height", 4.0}, {"bund.on", "berm"}, {"bund.distance", 1.0}})),
-                    Catch::Contains("`distance` is that of a bund on the floor"));
+                    Catch::Contains("`distance` is only for a bund on the floor"));
   CHECK_THROWS_WITH(section(numbers({{"ditch.width", 99.0}, {"ditch.depth", 2.0}})),
                     Catch::Contains("floor is 100 m, the ditch and the bund on it take 101.728 m"));
 }
