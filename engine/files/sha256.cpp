@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "files/safe_file.h"
+
 namespace flyrock {
 
 namespace {
@@ -79,6 +81,17 @@ std::string sha256(std::string_view bytes) {
   Sha256 sum;
   sum.add(bytes);
   return sum.digest();
+}
+
+std::string sha256_of_file(const std::filesystem::path& path) {
+  constexpr std::uint64_t at_once = std::uint64_t{1} << 20;  // bytes
+  FileReader file(path);
+  Sha256 sum;
+  for (std::string bytes;; bytes.clear()) {
+    file.append_to(bytes, at_once);
+    if (bytes.empty()) return sum.digest();
+    sum.add(bytes);
+  }
 }
 
 }  // namespace flyrock

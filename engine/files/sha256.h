@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -24,5 +25,7 @@ class Sha256 {
 
 /// The digest of `bytes` as 64 hexadecimal digits.
 std::string sha256(std::string_view bytes);
+/// That of a file, which is read in blocks: a raster may have gigabytes. Throws UnreadableFile.
+std::string sha256_of_file(const std::filesystem::path& path);
 
 }  // namespace flyrock

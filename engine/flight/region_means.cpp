@@ -36,7 +36,7 @@ SeriesRegion region_means(const World<D>& world, const RegionBox& region, double
 
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();  // N m
   for (const WorldContact<D>& contact : world.contacts()) {
-    const Vec<D> force = contact_frame(contact.at.normal) * contact.impulse.template head<D>() / step;
+    const Vec<D> force = contact.impulse_on_candidate() / step;
     const auto add = [&](int body, const Vec<D>& on_body) {
       if (is_in(world, body, region))
         sum.topLeftCorner<D, D>() += on_body * (world.bodies[body].x - contact.at.point).transpose();

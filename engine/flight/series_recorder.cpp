@@ -198,8 +198,7 @@ void SeriesRecorder<D>::put_contacts(double step) {
       row.rn = row.pn / step;
       row.rt = row.pt / step;
       row.force.setZero();
-      row.force.template head<D>() =
-          contact_frame(contact.at.normal) * contact.impulse.template head<D>() / step;
+      row.force.template head<D>() = contact.impulse_on_candidate() / step;
       row.state = row.pn == 0        ? SeriesState::open
                   : contact.sticking ? SeriesState::sticking
                                      : SeriesState::sliding;

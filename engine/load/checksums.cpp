@@ -12,20 +12,9 @@ namespace flyrock {
 
 namespace {
 
-std::string sum_of(const std::filesystem::path& path) {
-  constexpr std::uint64_t at_once = 1 << 16;  // bytes
-  FileReader file(path);
-  Sha256 sum;
-  for (std::string bytes;; bytes.clear()) {
-    file.append_to(bytes, at_once);
-    if (bytes.empty()) return sum.digest();
-    sum.add(bytes);
-  }
-}
-
 /// "<64 hexadecimal digits>  results.db\n"
 std::string line_of(const std::filesystem::path& folder, const char* name) {
-  return fmt::format("{}  {}\n", sum_of(folder / name), name);
+  return fmt::format("{}  {}\n", sha256_of_file(folder / name), name);
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file) {

@@ -1,7 +1,6 @@
 #include "load/load.h"
 
 #include <filesystem>
-#include <fstream>
 
 #include "document/yaml_reader.h"
 #include "files/safe_file.h"
@@ -52,24 +51,12 @@ std::uint64_t trials_of(const Value& root) {
   return number && *number >= 1 ? static_cast<std::uint64_t>(*number) : 1;
 }
 
-/// The digest of a file, read in blocks: a raster may have gigabytes.
-std::string hash_of_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError("cannot read " + path);
-  Sha256 sum;
-  for (std::vector<char> block(std::size_t{1} << 20); file;) {
-    file.read(block.data(), static_cast<std::streamsize>(block.size()));
-    sum.add({block.data(), static_cast<std::size_t>(file.gcount())});
-  }
-  return sum.digest();
-}
-
 /// The files that parameters name, with their present content, because another terrain under the same name
 /// makes another scenario.
 std::vector<SourceHash> hashes_of(const std::map<std::string, std::string>& files, Diagnostics& diagnostics) {
   std::vector<SourceHash> hashes;
   for (const auto& [name, path] : files) try {
-      hashes.push_back({name, hash_of_file(path)});
+      hashes.push_back({name, sha256_of_file(path)});
     } catch (const FileError& error) {
       diagnostics.error(in_file(path), "", error.what());
     }

@@ -154,8 +154,7 @@ class DocumentDecoder {
       links.error(context_.diagnostics, "a run with links takes no dense steps: `solver.bodies: exact`");
   }
 
-  /// Bodies settle on each other.
-  /// Of a key that is about all bodies of one world.
+  /// Refuses a key about the bodies of one world where these do not meet.
   void check_together(const Node& key) {
     if (scenario_.method != Method::nscd)
       key.error(context_.diagnostics, "needs the method `nscd`");

@@ -39,6 +39,11 @@ const Table extreme_components_3d{{"x", dimension::length},
                                   {"wz", dimension::spin},
                                   {"kinetic_energy", dimension::energy}};
 
+/// A number that is described with its unit.
+Named measured_in(std::string_view unit, std::string_view name) {
+  return {name, parse_unit(unit).value_or(Unit{}).dimension};
+}
+
 /// `base` and one more entry.
 Table with(Table base, Named entry) {
   base.push_back(entry);
@@ -88,21 +93,20 @@ const Table link_quantities{
 Table region_table(int dimension) {
   Table table;
   for (const RegionQuantity& number : region_quantities)
-    if (dimension == 3 || !number.in_space)
-      table.push_back({number.name, parse_unit(number.unit).value_or(Unit{}).dimension});
+    if (dimension == 3 || !number.in_space) table.push_back(measured_in(number.unit, number.name));
   return table;
 }
 /// Measures of a deformable body, over the rows of its series.
 const Table stress_table = [] {
   Table table;
   for (const StressQuantity& number : stress_quantities)
-    table.push_back({number.name, parse_unit(number.unit).value_or(Unit{}).dimension});
+    table.push_back(measured_in(number.unit, number.name));
   return table;
 }();
 const Table rock_distributions = [] {
   Table table;
   for (const RockStatistic& number : rock_statistics)
-    table.push_back({number.name(), parse_unit(number.column.unit).value_or(Unit{}).dimension});
+    table.push_back(measured_in(number.column.unit, number.name()));
   return table;
 }();
 const Table rock_totals{{"count", dimension::none}, {"censored", dimension::none}};

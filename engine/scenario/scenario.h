@@ -486,8 +486,8 @@ struct Scenario {
   Method method = Method::nscd;
   Streams streams;
   std::uint64_t trials = 1;  ///< of all runs
-  std::uint64_t outer =
-      1;  ///< runs with equally many trials each, one after the other (results/measured/outer.h)
+  /// Runs with equally many trials each, one after the other (results/measured/outer.h).
+  std::uint64_t outer = 1;
   bool rock_contacts = false;
   bool body_contacts = true;
   Number gravity;

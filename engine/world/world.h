@@ -82,6 +82,8 @@ struct WorldContact {
   int other_than(int body) const { return body == candidate ? antagonist : candidate; }
   /// What a spring of `penalty` is compressed by [m], if the features of the contact have this gap.
   double compression(double gap) const { return std::max(0.0, -gap - born); }
+  /// The impulse on the candidate in the axes of the world, without its moments [N s].
+  Vec<D> impulse_on_candidate() const { return contact_frame(at.normal) * impulse.template head<D>(); }
   /// The current coefficient of friction.
   double mu() const { return sticking ? law.mu_s : law.mu_d; }
   double approach() const { return before[0] < 0 && !stays_apart ? -before[0] : 0; }
