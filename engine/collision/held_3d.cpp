@@ -26,14 +26,10 @@ bool is_in_plane(const HeldOnGround& held, const Facet& facet, double size) {
 }
 
 bool HeldPoints::has(FeatureId feature, FeatureId against) const {
-  if (by_ != CoreSearch::ball) return search_.held.hold(feature, against) != Hold::no;
-  return std::any_of(search_.held.list.begin(), search_.held.list.end(), [&](const HeldContact& h) {
-    return contactor_of(h.feature) == a_.index && of_b(h.against);
-  });
+  return search_.held.hold(feature, against) != Hold::no;
 }
 
 bool HeldPoints::of_b(FeatureId feature) const {
-  if (!b_.facet) return contactor_of(feature) == b_.index;
   bool known = feature == b_.facet->face_feature();
   for (int i = 0; i < 3; ++i)
     known = known || feature == b_.facet->edge_feature(i) || feature == b_.facet->vertex_feature(i);
@@ -41,7 +37,7 @@ bool HeldPoints::of_b(FeatureId feature) const {
 }
 
 bool HeldPoints::over(FeatureId face, int i) const {
-  if (!b_.facet || face != b_.facet->face_feature()) return false;
+  if (face != b_.facet->face_feature()) return false;
   const FeatureId point = a_.id(FeatureKind::vertex, i);
   return std::any_of(b_.held_on_ground.begin(), b_.held_on_ground.end(), [&](const HeldOnGround& h) {
     return h.feature == point && is_in_plane(h, *b_.facet, search_.size);
@@ -104,35 +100,8 @@ bool HeldPoints::holds_on(const Features& of, int point) const {
   return has(a_.id(FeatureKind::vertex, point), *of.of_b) || over(*of.of_b, point);
 }
 
-bool HeldPoints::holds_beyond(const Features& of, int point, const MovingState& sa,
-                              const MovingState& sb) const {
-  const bool is_face_of_a = of.of_a.has_value();
-  const FeatureId feature = is_face_of_a ? *of.of_a : *of.of_b;
-  if (b_.facet || kind_of(feature) != FeatureKind::face) return false;
-  const Moving3 &reference = is_face_of_a ? a_ : b_, &other = is_face_of_a ? b_ : a_;
-  const MovingState &of_reference = is_face_of_a ? sa : sb, &of_other = is_face_of_a ? sb : sa;
-  const Contactor3& shape = reference.shape;
-  const int face = index_of(feature);
-  return std::any_of(search_.held.list.begin(), search_.held.list.end(), [&](const HeldContact& h) {
-    const FeatureId side = is_face_of_a ? h.feature : h.against,
-                    crossing = is_face_of_a ? h.against : h.feature;
-    if (!is_of_pair(h, a_, b_) || kind_of(side) != FeatureKind::edge ||
-        kind_of(crossing) != FeatureKind::edge || !contains(other, crossing, point))
-      return false;
-    const Contactor3::Edge& edge = shape.edges[index_of(side)];
-    if (edge.left != face && edge.right != face) return false;
-    const Vec3& start = shape.points[edge.start];
-    const Vec3 along =
-        edge.left == face ? Vec3(shape.points[edge.end] - start) : Vec3(start - shape.points[edge.end]);
-    const Vec3 place = of_reference.turn.rotation.inverse(
-        of_other.x + of_other.arm(other.shape.points[point]) - of_reference.x);
-    return along.cross(shape.faces[face].normal).dot(place - start) >= 0;
-  });
-}
-
 bool HeldPoints::holds_edges(const Features& of, int i, int j) const {
   const auto on_edge_of_b = [&] {
-    if (!b_.facet) return contains(b_, *of.of_b, j);
     for (int rim = 0; rim < 3; ++rim)
       if (b_.facet->edge_feature(rim) == *of.of_b) return j == rim || j == Facet::next(rim);
     return false;
@@ -140,21 +109,18 @@ bool HeldPoints::holds_edges(const Features& of, int i, int j) const {
   return contains(a_, *of.of_a, i) && on_edge_of_b() && has(*of.of_a, *of.of_b);
 }
 
-Hold HeldPoints::hold(const Vec3& direction, const Features& of, int i, int j, const MovingState& sa,
-                      const MovingState& sb) const {
+Hold HeldPoints::hold(const Vec3& direction, const Features& of, int i, int j, const MovingState& sa) const {
+  if (!b_.facet) return Hold::no;
   const bool of_edges = of.of_a && of.of_b;
   const bool exactly = of_edges ? holds_edges(of, i, j) : holds_on(of, of.of_a ? j : i);
-  if (by_ == CoreSearch::pill) return exactly ? Hold::exactly : drifts_from(direction, i, j, sa, sb);
-  if (of_edges && b_.facet && !along_rim(direction, i, j, sa)) return Hold::no;
-  if (by_ == CoreSearch::hull && !of_edges && !exactly && holds_beyond(of, of.of_a ? j : i, sa, sb))
-    return Hold::for_now;
-  return exactly ? Hold::exactly : of_edges && b_.facet ? Hold::for_now : Hold::no;
+  if (by_ == CoreSearch::pill) return exactly ? Hold::exactly : drifts_from(direction, i, j, sa);
+  if (of_edges && !along_rim(direction, i, j, sa)) return Hold::no;
+  return exactly ? Hold::exactly : of_edges ? Hold::for_now : Hold::no;
 }
 
-Hold HeldPoints::drifts_from(const Vec3& direction, int i, int j, const MovingState& sa,
-                             const MovingState& sb) const {
+Hold HeldPoints::drifts_from(const Vec3& direction, int i, int j, const MovingState& sa) const {
   const auto is_vertex = [](FeatureId feature) { return kind_of(feature) == FeatureKind::vertex; };
-  const auto on_ground = [&](const HeldOnGround& h) {
+  const auto is_held = [&](const HeldOnGround& h) {
     if (contactor_of(h.feature) != a_.index || !contains(a_, h.feature, i)) return false;
     const bool of_facet = of_b(h.against);
     if (!(is_vertex(h.feature) && of_facet) && !h.contains(b_.facet->vertex[j])) return false;
@@ -162,103 +128,13 @@ Hold HeldPoints::drifts_from(const Vec3& direction, int i, int j, const MovingSt
     if (!is_vertex(h.feature) && !is_vertex(h.against) && of_facet) return false;
     return agrees(direction, place_of(a_, h.feature, sa), {kind_of(h.against), h.place, h.along, h.upward});
   };
-  const auto on_body = [&](const HeldContact& h) {
-    if (!is_of_pair(h, a_, b_)) return false;
-    const bool end_of_a = a_.shape.faces.empty() && h.feature == a_.id(FeatureKind::vertex, i);
-    const bool end_of_b = b_.shape.faces.empty() && h.against == b_.id(FeatureKind::vertex, j);
-    const bool is_vertex_of_both = (is_vertex(h.feature) || is_vertex(h.against)) &&
-                                   contains(a_, h.feature, i) && contains(b_, h.against, j);
-    return (end_of_a || end_of_b || is_vertex_of_both) &&
-           agrees(direction, place_of(a_, h.feature, sa), place_of(b_, h.against, sb));
-  };
-  const bool is_held = b_.facet ? std::any_of(b_.held_on_ground.begin(), b_.held_on_ground.end(), on_ground)
-                                : std::any_of(search_.held.list.begin(), search_.held.list.end(), on_body);
-  return is_held ? Hold::for_now : Hold::no;
+  return std::any_of(b_.held_on_ground.begin(), b_.held_on_ground.end(), is_held) ? Hold::for_now : Hold::no;
 }
 
 bool HeldPoints::is_on_ground(int face) const {
   const FeatureId feature = a_.id(FeatureKind::face, face);
   return std::any_of(b_.held_on_ground.begin(), b_.held_on_ground.end(),
                      [&](const HeldOnGround& h) { return h.feature == feature; });
-}
-
-HeldPieces::HeldPieces(const Contactor3& shape)
-    : shape_(shape), pieces_(static_cast<std::size_t>(pieces_of(shape))) {}
-
-void HeldPieces::add(const ShapeFeature& feature) {
-  const auto is_all_round = [](unsigned places) {
-    constexpr unsigned half = (1u << rim_places / 2) - 1;
-    for (int start = 0; start < rim_places; ++start)
-      if (((places >> start | places << (rim_places - start)) & half) == 0) return false;
-    return true;
-  };
-  const bool of_rim = !shape_.circles.empty() && feature.kind == FeatureKind::edge;
-  const int place = of_rim ? place_of_rim(feature.index) : rim_places;
-  for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
-    if (!contains_piece(shape_, feature, i)) continue;
-    Piece& piece = pieces_[i];
-    ++piece.contacts;
-    if (place < rim_places) piece.places |= 1u << place;
-    piece.whole = piece.whole || place >= rim_places || is_all_round(piece.places);
-  }
-}
-
-void HeldPieces::add_piece(int piece) {
-  ++pieces_[piece].contacts;
-  pieces_[piece].whole = true;
-}
-
-HeldPair::HeldPair(const Moving3& a, const Moving3& b, const TouchSearch& search)
-    : a_(a), b_(b), search_(search), of_a_(a.shape), of_b_(b.shape) {
-  if (!b.facet)
-    for (const HeldContact& h : search.held.list)
-      if (is_of_pair(h, a_, b_)) {
-        of_b_.add(feature_of(h.against));
-        add(h);
-      }
-  for (const HeldOnGround& h : b.held_on_ground) {
-    if (contactor_of(h.feature) != a.index) continue;
-    const bool in_plane = is_in_plane(h, *b.facet, search.size);
-    bool of_facet = in_plane;
-    for (int j = 0; j < pieces_of(b.shape); ++j)
-      if (in_plane || h.contains(b.facet->vertex[j])) {
-        of_b_.add_piece(j);
-        of_facet = true;
-      }
-    if (of_facet) add(h);
-    in_plane_ = in_plane_ || in_plane;
-  }
-}
-
-void HeldPair::add(const HeldContact& contact) {
-  of_a_.add(feature_of(contact.feature));
-  opened_ = opened_ || contact.opened;
-  yields_ = yields_ || contact.yields;
-  any_ = true;
-}
-
-bool HeldPair::has(const Face& face) const {
-  if (face.of_b && b_.facet) return in_plane_;
-  const FeatureId feature = feature_id(face.of_b ? b_.index : a_.index, FeatureKind::face, face.index);
-  if (b_.facet)
-    return std::any_of(b_.held_on_ground.begin(), b_.held_on_ground.end(),
-                       [&](const HeldOnGround& h) { return h.feature == feature; });
-  return std::any_of(search_.held.list.begin(), search_.held.list.end(), [&](const HeldContact& h) {
-    return is_of_pair(h, a_, b_) && (face.of_b ? h.against : h.feature) == feature;
-  });
-}
-
-Hold HeldPair::hold(const Vec3& direction, const Face& of, const Vec3& nearest, bool touches) const {
-  const bool is_of_face = of.index >= 0;
-  if (!any_ || (is_of_face && !has(of))) return Hold::no;
-  const bool in_plane_of_b = b_.facet && of.of_b && of.index == 0;
-  const bool is_along = (touches || in_plane_) && direction.dot(nearest) > same_direction;
-  if (!in_plane_of_b && !is_along) return Hold::no;
-  return is_of_face ? Hold::exactly : Hold::for_now;
-}
-
-Counts HeldPair::counts(double t) const {
-  return HeldContacts{{}, search_.held.are_solved && !opened_}.counts(Hold::exactly, t);
 }
 
 std::span<const HeldOnGround> held_on(Workspace& work, const Ground3& ground, const HeldContacts& held) {

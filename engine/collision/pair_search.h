@@ -19,9 +19,6 @@ std::optional<double> advance_cores(const Moving3& a, const Moving3& b, CoreSear
 /// (piece_heights.h), and the pair stays apart along n until
 ///   lowest of a (t) - highest of b (t) - M t^2/2 = 0,
 /// whose left side is concave in t: a chord is below it, so the search for its root stays on the safe side.
-/// Held contacts: along their normal, which all contacts of two convex contactors share, the pieces that
-/// their features contain may sink by no more than a hundred-thousandth of the size. A rim that is held at
-/// one place counts as touching elsewhere when this place has walked a quarter of a turn around it, too.
 std::optional<double> advance_with_circles(Workspace& work, const Moving3& a, const Moving3& b,
                                            const TimeWindow& window, const TouchSearch& search);
 
@@ -31,8 +28,7 @@ std::optional<double> core_touch_of_facet(Workspace& work, const Moving3& core, 
                                           std::span<const HeldOnGround> held, CoreSearch by,
                                           const TimeWindow& window, const TouchSearch& search);
 std::optional<double> smooth_touch_of_facet(Workspace& work, const Moving3& shape, const Facet& facet,
-                                            std::span<const HeldOnGround> held, const TimeWindow& window,
-                                            const TouchSearch& search);
+                                            const TimeWindow& window, const TouchSearch& search);
 /// A point of the cloud that is below the plane of the facet, but beside the facet or deeper than a contact
 /// can be, comes from another side of the solid and does not touch this facet.
 std::optional<double> cloud_touch_of_facet(const Moving3& cloud, const Facet& facet, const TimeWindow& window,

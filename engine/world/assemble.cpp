@@ -216,6 +216,7 @@ void World<D>::assemble(double h, double warm) {
 
     typename Problem::Contact row;
     row.q = relative_velocity(contact) + settings_.theta * h * contact.turning;
+    if (contact.late) row.q[0] += std::max(0.0, contact.at.gap) / theta_h_;
     row.w.setZero();
     problem_.contacts.push_back(row);
     impulses_.push_back(warm * contact.impulse);

@@ -27,7 +27,6 @@ namespace {
 
 constexpr int becomes_dense = 40, becomes_exact = 20;  // contacts of an island
 constexpr int no_partner = -2, several = -3;           // in place of a body or, -1, the terrain
-constexpr double slop = 1e-5;                          // of the smaller size of a pair
 
 /// The order of the contacts of a step.
 template <int D>

@@ -90,29 +90,34 @@ void World<D>::detect(double ahead) {
   match_last();
 }
 
+/// Fills points_ with the contacts of a body with the terrain (`other`: -1), or with another one, at these
+/// poses, up to a gap of `reach` [m].
 template <int D>
-void World<D>::find_on_terrain(int body, double ahead) {
-  const Body<D>& b = bodies[body];
+void World<D>::find_points(int body, int other, const Pose& pose, const Pose& of_other, double reach,
+                           double ahead) {
+  const Body<D>& a = bodies[body];
   points_.clear();
-  const double reach = reach_of_step(body, -1);
-  near_parts(work_, b.parts, b.pose(), *terrain_, reach + slack(body), parts_);
-  for (const int k : parts_)
-    terrain_contacts<D>(work_, Placed<D>{b.contactors[k], b.pose(), k}, *terrain_, reach,
-                        b.spin_speed() * ahead, points_);
-  append_points(body, -1);
+  if (other < 0) {
+    near_parts(work_, a.parts, pose, *terrain_, reach + slack(body), parts_);
+    for (const int k : parts_)
+      terrain_contacts<D>(work_, Placed<D>{a.contactors[k], pose, k}, *terrain_, reach,
+                          a.spin_speed() * ahead, points_);
+    return;
+  }
+  const Body<D>& b = bodies[other];
+  near_parts(work_, a.parts, pose, b.parts, of_other, reach + slack(body) + slack(other), part_pairs_);
+  for (const auto& [k, l] : part_pairs_)
+    body_contacts(work_, Placed<D>{a.contactors[k], pose, k}, Placed<D>{b.contactors[l], of_other, l}, reach,
+                  points_, (a.spin_speed() + b.spin_speed()) * ahead);
 }
 
+/// Appends the contacts of a body with the terrain, or of two bodies, where they are now.
 template <int D>
 void World<D>::find_between(int candidate, int antagonist, double ahead) {
-  const Body<D>&a = bodies[candidate], &b = bodies[antagonist];
-  if (!may_touch(candidate, antagonist)) return;
-  points_.clear();
-  const double reach = reach_of_step(candidate, antagonist);
-  near_parts(work_, a.parts, a.pose(), b.parts, b.pose(), reach + slack(candidate) + slack(antagonist),
-             part_pairs_);
-  for (const auto& [k, l] : part_pairs_)
-    body_contacts(work_, Placed<D>{a.contactors[k], a.pose(), k}, Placed<D>{b.contactors[l], b.pose(), l},
-                  reach, points_, (a.spin_speed() + b.spin_speed()) * ahead);
+  if (antagonist >= 0 && !may_touch(candidate, antagonist)) return;
+  const Pose pose = bodies[candidate].pose();
+  find_points(candidate, antagonist, pose, antagonist < 0 ? pose : bodies[antagonist].pose(),
+              reach_of_step(candidate, antagonist), ahead);
   append_points(candidate, antagonist);
 }
 
@@ -138,7 +143,7 @@ void World<D>::find_contacts(double ahead) {
   const auto& pairs = bodies_meet() ? close_pairs() : none;
   auto pair = pairs.begin();
   for (int i = 0; i < static_cast<int>(bodies.size()); ++i) {
-    if (bodies[i].moves()) find_on_terrain(i, ahead);
+    if (bodies[i].moves()) find_between(i, -1, ahead);
     for (; pair != pairs.end() && pair->first == i; ++pair) find_between(i, pair->second, ahead);
   }
 }
@@ -277,17 +282,29 @@ void World<D>::keep_closed(double share_of_size) {
     quality_.max_penetration = std::max(quality_.max_penetration, -c.at.gap - c.sunk);
 }
 
-/// The contactor of a body that has a feature, now or at the start of the step.
+/// The contactor of a body that has a feature, at a pose.
 template <int D>
-Placed<D> World<D>::placed(int body, FeatureId feature, bool at_start) const {
-  const auto& contactor = bodies[body].contactor_with(feature);
-  const int index = contactor_of(feature);
-  return {contactor, at_start ? starts_[body].pose() : bodies[body].pose(), index};
+Placed<D> World<D>::placed(int body, FeatureId feature, const Pose& pose) const {
+  return {bodies[body].contactor_with(feature), pose, contactor_of(feature)};
 }
 
-/// The gap between the features of a contact, now or at the start of the step [m], by feature_gap
-/// (collision/pairs.h). What a held contact drifts is this at the start, less the gap that is found in the
-/// middle.
+template <int D>
+typename World<D>::Pose World<D>::pose_of(int body, bool at_start) const {
+  return body < 0 ? Pose{} : at_start ? starts_[body].pose() : bodies[body].pose();
+}
+
+/// The gap between the features of a contact at poses of its bodies [m], by feature_gap (collision/pairs.h).
+template <int D>
+double World<D>::gap_at(const Contact& c, const Pose& of_candidate, const Pose& of_antagonist) const {
+  const Placed<D> candidate = placed(c.candidate, c.at.feature, of_candidate);
+  if (c.antagonist < 0)
+    return feature_gap<D>(work_, candidate, c.at.feature, *terrain_, c.at.against, c.at.normal);
+  return feature_gap<D>(work_, candidate, c.at.feature, placed(c.antagonist, c.at.against, of_antagonist),
+                        c.at.against, c.at.normal);
+}
+
+/// The same now or at the start of the step [m]. What a held contact drifts is this at the start, less the
+/// gap that is found in the middle.
 template <int D>
 double World<D>::gap_at(const Contact& c, bool at_start) const {
   // What the radii have changed of it since the start
@@ -295,13 +312,7 @@ double World<D>::gap_at(const Contact& c, bool at_start) const {
   for (const int i : {c.candidate, c.antagonist})
     if (at_start && i >= 0 && bodies[i].breathes())
       swelled += bodies[i].breathing.side * (bodies[i].breathing.now.radius - starts_[i].shape.radius);
-  const Placed<D> candidate = placed(c.candidate, c.at.feature, at_start);
-  const double gap =
-      c.antagonist < 0
-          ? feature_gap<D>(work_, candidate, c.at.feature, *terrain_, c.at.against, c.at.normal)
-          : feature_gap<D>(work_, candidate, c.at.feature, placed(c.antagonist, c.at.against, at_start),
-                           c.at.against, c.at.normal);
-  return gap - swelled;
+  return gap_at(c, pose_of(c.candidate, at_start), pose_of(c.antagonist, at_start)) - swelled;
 }
 
 template <int D>
@@ -318,7 +329,7 @@ typename World<D>::Overlap World<D>::overlap_of_last() {
   contacts_.clear();
   const int last = static_cast<int>(bodies.size()) - 1;
   const Body<D>& own = bodies[last];
-  if (own.moves()) find_on_terrain(last, 0);
+  if (own.moves()) find_between(last, -1, 0);
   for (int other = 0; other < last && bodies_meet(); ++other) {
     const double reach = bodies[other].size + own.size + reach_of_step(other, last);
     if ((bodies[other].x - own.x).norm() <= reach) find_between(other, last, 0);
@@ -343,23 +354,24 @@ void World<D>::measure_penetration() {
   quality_.max_penetration = std::max(quality_.max_penetration, deepest_overlap().depth);
 }
 
-#define FLYROCK_INSTANTIATE(D)                                                   \
-  template double World<D>::contact_size(int, int) const;                        \
-  template double World<D>::carry_reach(int, int) const;                         \
-  template double World<D>::reach_within(double, int, int) const;                \
-  template double World<D>::reach_in_middle(int, int) const;                     \
-  template const std::vector<std::pair<int, int>>& World<D>::near_pairs(double); \
-  template void World<D>::find_contacts(double);                                 \
-  template void World<D>::find_on_terrain(int, double);                          \
-  template void World<D>::find_between(int, int, double);                        \
-  template void World<D>::append_points(int, int);                               \
-  template World<D>::Overlap World<D>::deepest_of_contacts();                    \
-  template World<D>::Overlap World<D>::overlap_of_last();                        \
-  template void World<D>::detect(double);                                        \
-  template void World<D>::keep_closed(double);                                   \
-  template Placed<D> World<D>::placed(int, FeatureId, bool) const;               \
-  template double World<D>::gap_at(const Contact&, bool) const;                  \
-  template World<D>::Overlap World<D>::deepest_overlap();                        \
+#define FLYROCK_INSTANTIATE(D)                                                                              \
+  template double World<D>::contact_size(int, int) const;                                                   \
+  template double World<D>::carry_reach(int, int) const;                                                    \
+  template double World<D>::reach_within(double, int, int) const;                                           \
+  template double World<D>::reach_in_middle(int, int) const;                                                \
+  template const std::vector<std::pair<int, int>>& World<D>::near_pairs(double);                            \
+  template void World<D>::find_contacts(double);                                                            \
+  template void World<D>::find_points(int, int, const Geometry<D>::Pose&, const Geometry<D>::Pose&, double, \
+                                      double);                                                              \
+  template World<D>::Overlap World<D>::overlap_of_last();                                                   \
+  template void World<D>::detect(double);                                                                   \
+  template void World<D>::keep_closed(double);                                                              \
+  template Placed<D> World<D>::placed(int, FeatureId, const Geometry<D>::Pose&) const;                      \
+  template Geometry<D>::Pose World<D>::pose_of(int, bool) const;                                            \
+  template double World<D>::gap_at(const Contact&, bool) const;                                             \
+  template double World<D>::gap_at(const Contact&, const Geometry<D>::Pose&, const Geometry<D>::Pose&)      \
+      const;                                                                                                \
+  template World<D>::Overlap World<D>::deepest_overlap();                                                   \
   template void World<D>::measure_penetration()
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);

@@ -1,4 +1,4 @@
-// Which contacts a step holds, and what the search for touches knows of them (collision/held.h).
+// Which contacts a step solves, and what the search for touches knows of them (collision/held.h).
 
 #include <algorithm>
 
@@ -26,8 +26,8 @@ bool is_point(const Contactor& shape) {
 
 /// A contact as a search knows it.
 template <int D>
-HeldContact held_contact(const WorldContact<D>& c, bool opened = false) {
-  HeldContact held{c.at.feature, c.at.against, opened, c.law.condition == NormalCondition::penalty};
+HeldContact held_contact(const WorldContact<D>& c) {
+  HeldContact held{c.at.feature, c.at.against};
   if constexpr (D == 3) held.normal = c.at.normal;
   return held;
 }
@@ -43,12 +43,18 @@ HeldContact held_contact(const WorldContact<D>& c, bool opened = false) {
 template <int D>
 typename World<D>::Drift World<D>::keep_closed_at_start(double h) {
   Drift drift;
-  std::erase_if(contacts_, [&](const Contact& c) {
+  std::erase_if(contacts_, [&](Contact& c) {
+    c.late = has_same(late_, c);
+    if (c.late) return false;
     const double size = contact_size(c.candidate, c.antagonist);
     const double reach = carry_reach(c.candidate, c.antagonist);
     const double in_middle = reach_in_middle(c.candidate, c.antagonist);
     const double closed_alone = touch(c.candidate, c.antagonist);
     const double gap = gap_at(c, true);
+    if (settles(c, gap, h)) {
+      c.late = true;
+      return false;
+    }
     // One that the last impact opened may close again at once; the search for touches takes it for closed.
     const bool is_near = gap > closed_alone && gap <= apart_share * size;
     const double closed = c.carried || (is_near && has_same(last_, c)) ? reach : closed_alone;
@@ -76,6 +82,16 @@ typename World<D>::Drift World<D>::keep_closed_at_start(double h) {
   return drift;
 }
 
+/// Whether places of two close bodies that are within `slop` of each other at the start of the step come
+/// together within it, so slowly that they do not collide.
+template <int D>
+bool World<D>::settles(const Contact& c, double gap, double h) const {
+  if (c.antagonist < 0 || c.carried || c.law.condition == NormalCondition::penalty) return false;
+  const double closes = gap - c.at.gap, size = contact_size(c.candidate, c.antagonist);
+  return gap >= 0 && gap <= slop * size && closes > 0 &&
+         closes <= settings_.rest_speed * (1 - settings_.theta) * h;
+}
+
 /// How fast the last impact or step has opened a contact [m/s]; 0 if it did not.
 template <int D>
 double World<D>::opened(const Contact& contact) const {
@@ -88,28 +104,16 @@ double World<D>::opened(const Contact& contact) const {
 /// deep as the gap of its features says. The features alone may be beside each other.
 template <int D>
 bool World<D>::is_deep(const Contact& c, double gap, bool at_start) {
-  const Placed<D> candidate = placed(c.candidate, c.at.feature, at_start);
+  const Placed<D> candidate = placed(c.candidate, c.at.feature, pose_of(c.candidate, at_start));
   points_.clear();
   if (c.antagonist < 0)
     terrain_contacts<D>(work_, candidate, *terrain_, 0, 0, points_);
   else
-    body_contacts(work_, candidate, placed(c.antagonist, c.at.against, at_start), 0, points_);
+    body_contacts(work_, candidate, placed(c.antagonist, c.at.against, pose_of(c.antagonist, at_start)), 0,
+                  points_);
   return std::any_of(points_.begin(), points_.end(), [&](const ContactPoint<D>& p) {
     return p.gap < 0.5 * gap && same_direction<D>(p.normal, c.at.normal);
   });
-}
-
-/// Whether a contact is one of the search with circles, which bounds how deep places of rims sink that it
-/// passes over. The search with a wall, of a hollow contactor or a half space, does not.
-template <int D>
-bool World<D>::has_circles(const Contact& c) const {
-  if constexpr (D == 3) {
-    const Contactor3& a = bodies[c.candidate].contactor_with(c.at.feature);
-    if (c.antagonist < 0) return !a.circles.empty();
-    const Contactor3& b = bodies[c.antagonist].contactor_with(c.at.against);
-    return !is_hollow(a.form) && !is_hollow(b.form) && (!a.circles.empty() || !b.circles.empty());
-  }
-  return false;
 }
 
 /// Those of the last step or impact: in flight, they count as opened.
@@ -122,48 +126,50 @@ HeldContacts World<D>::held_in_flight(int body, int other) {
   return {held_, false};
 }
 
-/// Those that the step from starts_ solves, and those of the last step or impact that it does not solve, as
-/// long as their gap at the start is at most 1e-8 of the size: a search would take them for touches at once.
-/// Left out is what may touch again within the step, while other contacts hold the body: of two bodies
-/// without circles, a contact that opens and is not deep. So is a mass point that leaves the ground: from one
-/// side of a valley along the other, it is at once beside the strip of the side that it leaves. A contact
-/// that opens, of a pair that has none in this step, is told as `opened`.
+/// Contacts of a body with the ground, or with an outline: those that the step from starts_ solves, and those
+/// of the last step or impact that it does not solve, as long as their gap at the start is at most 1e-8 of
+/// the size: a search would take them for touches at once. Left out is a mass point that leaves the ground:
+/// from one side of a valley along the other, it is at once beside the strip of the side that it leaves.
 template <int D>
 HeldContacts World<D>::held_in_step(int body, int other) {
   constexpr double opening = 1e-8;  // m/s, above rounding
   held_.clear();
-  double sunk = 0;
-  for (const Contact& c : contacts_) {
-    if (c.candidate != body || c.antagonist != other) continue;
-    held_.push_back(held_contact(c));
-    if (held_.back().yields) sunk = std::max({sunk, -gap_at(c, true), -gap_at(c, false)});
-  }
-  const bool holds = !held_.empty();
-  for (std::size_t a = 0; a < last_.size(); ++a) {
-    const Contact& c = last_[a];
-    if (c.candidate != body || c.antagonist != other) continue;
-    if (has_same(contacts_, c)) continue;
-    const double gap = gap_at(c, true), size = contact_size(body, other);
-    const bool opens = !c.carried && last_after_[a][0] > opening;
-    const bool is_apart = gap > apart_share * size;
-    if (opens && other >= 0 && !has_circles(c) && gap >= -GapScale(size).deep) continue;
+  for (const Contact& c : contacts_)
+    if (c.candidate == body && c.antagonist == other) held_.push_back(held_contact(c));
+  for (const Contact& c : last_) {
+    if (c.candidate != body || c.antagonist != other || has_same(contacts_, c)) continue;
     const bool leaves = other < 0 && is_point(bodies[body].contactor_with(c.at.feature)) &&
                         starts_[body].v.dot(c.at.normal) > opening;
-    if (!is_apart && !leaves) held_.push_back(held_contact(c, opens && !holds));
+    if (gap_at(c, true) <= apart_share * contact_size(body, other) && !leaves)
+      held_.push_back(held_contact(c));
   }
-  return {held_, true, sunk};
+  return {held_, true};
 }
 
-/// When the first contact of the last step that this one does not solve has closed again [s]: it opened,
-/// other contacts have turned its body back, and the search for touches may have passed over it. Its gap is
-/// taken for a parabola. Of rims, whose features change all the time, the search bounds how deep they sink.
+/// How deep the springs of a pair lie in each other at the start or end of the step [m].
+template <int D>
+double World<D>::sunk_springs(int body, int other) {
+  double sunk = 0;
+  for (const Contact& c : contacts_)
+    if (c.candidate == body && c.antagonist == other && c.law.condition == NormalCondition::penalty)
+      sunk = std::max({sunk, -gap_at(c, true), -gap_at(c, false)});
+  return sunk;
+}
+
+/// When the first contact of the last step with a ground that this one does not solve has closed again [s]:
+/// it opened, other contacts have turned its body back, and the search for touches may have passed over it.
+/// Its gap is taken for a parabola.
 template <int D>
 std::optional<double> World<D>::first_return(double h) {
   constexpr double soon = 1e-3;  // of the step
   std::optional<double> first;
   for (std::size_t a = 0; a < last_.size(); ++a) {
     const Contact& c = last_[a];
-    if (c.law.condition == NormalCondition::penalty || has_circles(c) || has_same(contacts_, c)) continue;
+    const int part = contactor_of(c.at.feature);
+    const bool searched = c.antagonist < 0
+                              ? is_searched(c.candidate, part)
+                              : is_searched(c.candidate, part, c.antagonist, contactor_of(c.at.against));
+    if (!searched || c.law.condition == NormalCondition::penalty || has_same(contacts_, c)) continue;
     const double end = gap_at(c, false);
     const double sunk = opened(c) > settings_.rest_speed
                             ? touch(c.candidate, c.antagonist)
@@ -181,7 +187,8 @@ std::optional<double> World<D>::first_return(double h) {
   template World<D>::Drift World<D>::keep_closed_at_start(double); \
   template std::optional<double> World<D>::first_return(double);   \
   template HeldContacts World<D>::held_in_flight(int, int);        \
-  template HeldContacts World<D>::held_in_step(int, int)
+  template HeldContacts World<D>::held_in_step(int, int);          \
+  template double World<D>::sunk_springs(int, int)
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);
 #undef FLYROCK_INSTANTIATE

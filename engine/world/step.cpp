@@ -66,6 +66,7 @@ template <int D>
 typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   if (dense_) return dense_step(h);
   constexpr int most_cuts = 4, most_refinements = 4, most_refusals = 12, most_pushes = 3, most_turns = 12;
+  constexpr std::size_t most_late = 16;
   const double theta = settings_.theta;
   by_contacts_.resize(bodies.size(), Space<D>::no_spin());
   foreseen_.resize(bodies.size());
@@ -79,6 +80,7 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   };
   impacts_.clear();
   save();
+  late_.clear();
   const bool chooses = chooses_steps() && cut;
   if (chooses) reach_time_ = std::max(h, last_step_);
   bool new_touch = false;
@@ -140,7 +142,13 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
       }
     }
     if (!cut || cuts++ == most_cuts) break;
+    const std::size_t joined = late_.size();
     const std::optional<double> touch = first_touch(h, pass_held);
+    if (late_.size() > joined && joined < most_late) {
+      restore();
+      --cuts;
+      continue;
+    }
     if (!touch || *touch >= h * (1 - 1e-9)) break;
     new_touch = true;
     restore();
@@ -202,22 +210,31 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
   const auto consider = [&](std::optional<double> t) {
     if (t && (!first || *t < *first)) first = t;
   };
-  // While springs yield, other places of the bodies may lie as deep in each other. Mostly they are springs,
+  // While springs yield, other places of the body may lie as deep in the ground. Mostly they are springs,
   // too, and act as soon as a step finds them; rigid places of another part of the ground are found later.
-  const auto search_for = [&](const HeldContacts& held, int i, int j) {
-    return TouchSearch{held, 0.5 * touch(i, j) + 2 * held.sunk, contact_size(i, j), &quality_.toc_iterations};
+  const auto search_on = [&](int i, int j) {
+    return TouchSearch{held_in_step(i, j), 0.5 * touch(i, j) + 2 * sunk_springs(i, j), contact_size(i, j),
+                       &quality_.toc_iterations};
+  };
+  const auto search_apart = [&](int i, int j) {
+    return TouchSearch{held_in_flight(i, j), 0, contact_size(i, j), &quality_.toc_iterations};
   };
   for (int i = 0; i < static_cast<int>(bodies.size()); ++i) {
     const Body<D>& body = bodies[i];
     if (!body.moves()) continue;
-    const auto held_here = held_in_step(i, -1);
-    if (pass_held && !held_here.list.empty()) continue;
-    const TouchSearch search = search_for(held_here, i, -1);
+    const bool close = is_close(i, -1);
+    if (pass_held && close) continue;
     near_parts(work_, body.parts, starts_[i].pose(), *terrain_, greatest_travel(motions_[i], body.size, h),
                parts_);
-    for (const int k : parts_)
+    bool watched = false;
+    for (const int k : parts_) {
+      const bool searched = is_searched(i, k);
+      watched = watched || (close && !searched);
+      if (close && !searched) continue;
       consider(time_of_contact<D>(work_, {body.contactors[k], motions_[i], k}, *terrain_, first.value_or(h),
-                                  search));
+                                  searched ? search_on(i, -1) : search_apart(i, -1)));
+    }
+    if (watched) consider(first_event(i, -1, first.value_or(h)));
   }
   if (!pass_held) consider(first_return(h));
   if (!bodies_meet()) return first;
@@ -227,14 +244,19 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
   for (const auto& [i, j] : broad_phase_.template pairs<D>(boxes_)) {
     const Body<D>&a = bodies[i], &b = bodies[j];
     if (!may_touch(i, j)) continue;
-    const auto held_here = held_in_step(i, j);
-    if (pass_held && !held_here.list.empty()) continue;
-    const TouchSearch search = search_for(held_here, i, j);
+    const bool close = is_close(i, j);
+    if (pass_held && close) continue;
     const double travel = greatest_travel(motions_[i], a.size, h) + greatest_travel(motions_[j], b.size, h);
     near_parts(work_, a.parts, starts_[i].pose(), b.parts, starts_[j].pose(), travel, part_pairs_);
-    for (const auto& [k, l] : part_pairs_)
+    bool watched = false;
+    for (const auto& [k, l] : part_pairs_) {
+      const bool searched = close && is_searched(i, k, j, l);
+      watched = watched || (close && !searched);
+      if (close && !searched) continue;
       consider(time_of_contact<D>(work_, {a.contactors[k], motions_[i], k}, {b.contactors[l], motions_[j], l},
-                                  first.value_or(h), search));
+                                  first.value_or(h), searched ? search_on(i, j) : search_apart(i, j)));
+    }
+    if (watched) consider(first_event(i, j, first.value_or(h)));
   }
   return first;
 }

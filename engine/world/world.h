@@ -42,6 +42,9 @@ struct WorldSettings {
   std::optional<int> dense_iterations = {};  ///< absent: World::dense_sweeps
 };
 
+/// How deep places that a step has not solved may lie in each other: share of the smaller size of a pair.
+inline constexpr double slop = 1e-5;
+
 /// A contact of the world, with its law, its impulse and its memory.
 template <int D>
 struct WorldContact {
@@ -75,6 +78,7 @@ struct WorldContact {
   int impact_number = 0;   ///< of its rock
   // Of a dense step
   bool stays_apart = false;  ///< along the free path
+  bool late = false;         ///< it closes within the step so slowly that it does not collide
   bool bounces = false;      ///< by its law
   double touch = 0;          ///< s from the start, when it closes, if it collides
 
@@ -97,6 +101,7 @@ class World {
   using Contact = WorldContact<D>;
   using Terrain = typename Geometry<D>::Terrain;
   using Motion = typename Geometry<D>::Motion;
+  using Pose = typename Geometry<D>::Pose;
   using Problem = ContactProblem<D>;
   using Row = typename Problem::Row;
 
@@ -306,13 +311,15 @@ class World {
   void keep_closed(double share_of_size);
   double reach_within(double h, int candidate, int antagonist) const;
   double reach_in_middle(int candidate, int antagonist) const;
-  Placed<D> placed(int body, FeatureId feature, bool at_start) const;
+  Placed<D> placed(int body, FeatureId feature, const Pose& pose) const;
+  Pose pose_of(int body, bool at_start) const;
   double gap_of_solver(const Contact& contact) const;
+  double gap_at(const Contact& contact, const Pose& of_candidate, const Pose& of_antagonist) const;
   double gap_at(const Contact& contact, bool at_start) const;
   const std::vector<std::pair<int, int>>& close_pairs();
 
   void find_contacts(double ahead);
-  void find_on_terrain(int body, double ahead);
+  void find_points(int body, int other, const Pose& pose, const Pose& of_other, double reach, double ahead);
   void find_between(int candidate, int antagonist, double ahead);
   void append_points(int candidate, int antagonist);
   Overlap deepest_of_contacts();
@@ -339,10 +346,19 @@ class World {
   // held_contacts.cpp: which contacts a step holds, and what the search for touches knows of them
   Drift keep_closed_at_start(double h);
   double opened(const Contact& contact) const;
+  bool settles(const Contact& contact, double gap, double h) const;
   bool is_deep(const Contact& contact, double gap, bool at_start);
-  bool has_circles(const Contact& contact) const;
   HeldContacts held_in_step(int body, int other);
+  double sunk_springs(int body, int other);
   std::optional<double> first_return(double h);
+
+  // close_pairs.cpp: touches within a step of bodies that touch already
+  bool is_close(int body, int other) const;
+  bool is_searched(int body, int contactor) const;
+  bool is_searched(int body, int contactor, int other, int contactor_of_other) const;
+  double unsolved_depth(int body, int other, double t);
+  void note_unsolved(int body, int other);
+  std::optional<double> first_event(int body, int other, double h);
 
   // instant.cpp: the impacts of one instant
   bool solve_impact(bool plastic = false);
@@ -468,6 +484,7 @@ class World {
   std::vector<Row> gained_in_step_;    ///< m/s, by each contact of a dense step along the free path
   std::vector<Contact> unseen_;  ///< that the end of a dense step has shown, not the search at its start
   std::vector<Contact> solved_;  ///< by the dense step, while its end is looked at
+  std::vector<Contact> late_;    ///< that close slowly within the step
   std::vector<Contact> tried_;   ///< those of the try before of a dense step that is made again
   double walked_ = 0;            ///< how far a resting rim closes by the middle of a step, in rest_speeds
   double last_step_ = 0;         ///< s

@@ -16,8 +16,7 @@ namespace {
 
 /// The points of a contactor over a facet. Of a cloud, the facet is a thin prism below its plane, which the
 /// points enter from above: a point stays clear of it as long as it stays above the plane, or beyond one
-/// side, or below the prism, whichever lasts longest. One that has a contact may sink a little in a step that
-/// does not solve it, and so come to the next facet from the side: for it the prism is thicker.
+/// side, or below the prism, whichever lasts longest.
 class PointSearch {
  public:
   PointSearch(const Moving3& c, const Facet& facet, bool of_cloud, double end, const TouchSearch& search)
@@ -32,8 +31,7 @@ class PointSearch {
       const FeatureId point = feature_id(c_.index, FeatureKind::vertex, i);
       const Counts counts = search_.held.counts(point, facet_.face_feature(), t);
       if (counts == Counts::never) continue;
-      const double thickness = has_contact(point) ? held_thickness * search_.size : scale_.deep;
-      least = std::min(least, point_lasts(c_.shape.points[i], state, counts, thickness, end_ - t));
+      least = std::min(least, point_lasts(c_.shape.points[i], state, counts, end_ - t));
     }
     return least;
   }
@@ -46,15 +44,7 @@ class PointSearch {
   }
 
  private:
-  static constexpr double held_thickness = 1e-3;  // of the size
-
-  bool has_contact(FeatureId point) const {
-    return of_cloud_ && std::any_of(search_.held.list.begin(), search_.held.list.end(),
-                                    [&](const HeldContact& h) { return h.feature == point; });
-  }
-
-  double point_lasts(const Vec3& point, const MovingState& state, Counts counts, double thickness,
-                     double left) const {
+  double point_lasts(const Vec3& point, const MovingState& state, Counts counts, double left) const {
     const Vec3 arm = state.arm(point), at = state.x + arm, speed = state.velocity_at(arm);
     const double turning = state.bend(arm.norm()), height = facet_.distance(at);
     const auto stays = [&](double gap, const Vec3& away, Counts counted) {
@@ -66,10 +56,10 @@ class PointSearch {
     const auto try_outside = [&](double gap, const Vec3& away) {
       if (gap > 0 && most < left) most = std::max(most, stays(gap, away, Counts::fully));
     };
-    try_outside(-height - thickness, -facet_.normal);
+    try_outside(-height - scale_.deep, -facet_.normal);
     for (int i = 0; i < 3; ++i)
       if (facet_.rim[i] != Rim::open)
-        try_outside(outward_[i].dot(at - facet_.corner[i]) - strip_margin(facet_, i, at, thickness),
+        try_outside(outward_[i].dot(at - facet_.corner[i]) - strip_margin(facet_, i, at, scale_.deep),
                     outward_[i]);
     return most;
   }
@@ -137,15 +127,14 @@ std::optional<double> cloud_touch_of_facet(const Moving3& cloud, const Facet& fa
 }
 
 std::optional<double> smooth_touch_of_facet(Workspace& work, const Moving3& shape, const Facet& facet,
-                                            std::span<const HeldOnGround> held, const TimeWindow& window,
-                                            const TouchSearch& search) {
+                                            const TimeWindow& window, const TouchSearch& search) {
   if (!facet.unbounded)
-    return advance_with_circles(work, shape, work.facet_hull.of(facet, shape.shape.bound, held), window,
+    return advance_with_circles(work, shape, work.facet_hull.of(facet, shape.shape.bound, {}), window,
                                 search);
   static const Contactor3 point = Contactor3::sphere(0);
   Motion3 rest;
   rest.x = facet.corner[0];
-  return advance_with_circles(work, shape, {point, rest, 0, &facet, held}, window, search);
+  return advance_with_circles(work, shape, {point, rest, 0, &facet, {}}, window, search);
 }
 
 }  // namespace flyrock

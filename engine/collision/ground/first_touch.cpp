@@ -75,11 +75,10 @@ template FindTouchOfGround<3> core_touch_of_ground<CoreSearch::hull>;
 
 std::optional<double> smooth_touch_of_ground(Workspace& work, const Moving3& shape, const Ground3& ground,
                                              double t_max, const TouchSearch& search) {
-  const TouchSearch near = without_distant(work, shape, ground, search);
-  const auto held = held_on(work, ground, near.held);
-  return touch_of_facets(work, shape, ground, t_max, near, [&](const Facet& facet, const TimeWindow& window) {
-    return smooth_touch_of_facet(work, shape, facet, held, window, near);
-  });
+  return touch_of_facets(work, shape, ground, t_max, search,
+                         [&](const Facet& facet, const TimeWindow& window) {
+                           return smooth_touch_of_facet(work, shape, facet, window, search);
+                         });
 }
 
 std::optional<double> cloud_touch_of_ground(Workspace& work, const Moving3& cloud, const Ground3& ground,

@@ -5,7 +5,7 @@
 // than the place moves, so
 //   gap(q0 + q' t) - M t^2/2
 // is a concave lower bound of the gap (safe_root.h). Of a rim, it is the least over its places, all of which
-// are linear in t. A rim that is held at one place is searched for another touch 60 degrees away from it.
+// are linear in t.
 // Features that are deep in the wall have come from outside, which the wall does not touch: they count once
 // they are inside. One that steps have let sink a little counts from there.
 
@@ -13,7 +13,6 @@
 #include <array>
 #include <cmath>
 
-#include "collision/held_3d.h"
 #include "collision/hollow/hollow_wall.h"
 #include "collision/rules.h"
 #include "collision/safe_root.h"
@@ -24,14 +23,12 @@ namespace flyrock {
 
 namespace {
 
-/// A rim that is held at one place is searched at this angle from it and beyond [rad].
-constexpr double next_place = pi / 3;
 /// A feature that is deeper in the wall has come from outside: share of the size.
 constexpr double outside_share = 1e-3;
 
 /// How a gap counts that is `gap` at the start.
-Counts of_sunk(Counts counts, double gap, const GapScale& scale) {
-  return counts == Counts::fully && gap < -scale.deep ? Counts::from_zero : counts;
+Counts of_sunk(double gap, const GapScale& scale) {
+  return gap < -scale.deep ? Counts::from_zero : Counts::fully;
 }
 
 /// How long a place stays out of a hollow region [s]: it is `away` from it, and moves with `speed` at most.
@@ -69,21 +66,19 @@ class HollowSearch2 {
                          search_.size, left);
     double least = forever;
     for (int i = 0; i < static_cast<int>(other_.shape.points.size()); ++i) {
-      const Counts counts = search_.held.counts(vertex_id(other_.index, i), vertex_id(hollow_.index, 0), t);
-      if (counts == Counts::never) continue;
       const Vec2 arm = r * other_.shape.points[i], place = away + arm, rate = velocity + cross(w, arm);
       const double bend = closing + pull + (w_max * w_max + std::abs(other_.motion.alpha)) * arm.norm();
       const auto gap = [&](double time) {
         return wall.gap(place + time * rate) - (other_.shape.radius + of_other.at(t)) + time * opens +
                search_.slack - 0.5 * time * time * bend;
       };
-      if (counts != Counts::from_zero && gap(0.0) < -outside_share * search_.size) {
+      if (gap(0.0) < -outside_share * search_.size) {
         const double fast = velocity.norm() + pull * left + w_max * arm.norm() + fastest;
         least = std::min(least, outside_for(-gap(0.0), fast, search_.size, left));
         continue;
       }
       const double slope = (place.norm() > 0 ? wall.normal(place).dot(rate) : -rate.norm()) + opens;
-      const Counts now = of_sunk(counts, gap(0.0), scale_);
+      const Counts now = of_sunk(gap(0.0), scale_);
       least = std::min(least, within(left, left, safe_root(gap, slope, left, scale_, now)));
     }
     return least;
@@ -106,8 +101,7 @@ class HollowSearch3 {
         search_(search),
         scale_(search.size),
         axis_of_hollow_(hollow),
-        axis_of_other_(other),
-        held_(other, hollow, search) {}
+        axis_of_other_(other) {}
 
   std::array<double, 5> clearance() const { return {-1, 0, 0, 0, 0}; }
 
@@ -132,7 +126,7 @@ class HollowSearch3 {
     }
     double least = forever;
     /// One piece, whose greatest arm is `arm`, with its gap as a function of the places' motion.
-    const auto see = [&](double arm, double lever, Counts counts, double slope, const auto& gap_at) {
+    const auto see = [&](double arm, double lever, double slope, const auto& gap_at) {
       const double fast = speed + so.w_max * arm;
       double horizon = left, acceleration = so.bend(arm);
       acceleration += sr.turns() || !wall.is_plane() ? pull.norm() : std::max(0.0, -wall.axis().dot(pull));
@@ -141,11 +135,11 @@ class HollowSearch3 {
           (sr.w_max * sr.w_max + sr.w_rate) * (lever + fast * horizon) + 2 * sr.w_max * fast + acceleration;
       const double offset = search_.slack - other_.shape.radius;
       const auto gap = [&](double time) { return gap_at(time) + offset - 0.5 * time * time * bend; };
-      if (counts != Counts::from_zero && !wall.is_plane() && gap(0.0) < -outside_share * search_.size) {
+      if (!wall.is_plane() && gap(0.0) < -outside_share * search_.size) {
         least = std::min(least, outside_for(-gap(0.0), fast + sr.w_max * lever, search_.size, left));
         return;
       }
-      const Counts now = wall.is_plane() ? counts : of_sunk(counts, gap(0.0), scale_);
+      const Counts now = wall.is_plane() ? Counts::fully : of_sunk(gap(0.0), scale_);
       least = std::min(least, within(horizon, left, safe_root(gap, slope, horizon, scale_, now)));
     };
     const auto slope_at = [&](const Vec3& place, const Vec3& rate) {
@@ -153,19 +147,13 @@ class HollowSearch3 {
       return wall.gap(place) < wall.greatest_gap() ? normal.dot(rate) : -rate.norm();
     };
     const auto& points = other_.shape.points;
-    const Counts of_held = held_.counts(t);
     for (std::size_t i = 0; i < points.size() && least > 0; ++i) {
-      const Counts counts = held_.of_a().has(static_cast<int>(i)) ? of_held : Counts::fully;
-      if (counts == Counts::never) continue;
       const Vec3 arm = so.arm(points[i]), place = place_of(arm), rate = rate_of(arm);
-      see(arm.norm(), place.norm(), counts, slope_at(place, rate),
+      see(arm.norm(), place.norm(), slope_at(place, rate),
           [&](double time) { return wall.gap(place + time * rate); });
     }
     for (std::size_t k = 0; k < other_.shape.circles.size() && least > 0; ++k) {
       const Contactor3::Circle& circle = other_.shape.circles[k];
-      const int contacts = held_.of_a().contacts_of(static_cast<int>(points.size() + k));
-      const Counts counts = contacts > 0 ? of_held : Counts::fully;
-      if (counts == Counts::never && contacts > 1) continue;
       const Ring now = ring_of({other_.shape, {so.x, so.turn.rotation}}, circle, sr.x);
       const auto turned = [&](const Vec3& v) -> Vec3 {
         return so.turn.spin.cross(v) - sr.turn.spin.cross(v);
@@ -178,17 +166,11 @@ class HollowSearch3 {
       const double arm = (now.centre - away).norm() + circle.radius,
                    lever = now.centre.norm() + circle.radius;
       const auto slope_of = [&](double angle) { return slope_at(now.at(angle), change.at(angle)); };
-      if (counts == Counts::never) {
-        const double from = nearest[0] + next_place, to = nearest[0] + 2 * pi - next_place;
-        see(arm, lever, Counts::fully, std::min(slope_of(from), slope_of(to)),
-            [&](double time) { return wall.least_gap(ring_at(time), from, to); });
-        continue;
-      }
       double slope = forever;
       for (const double angle : nearest)
         if (wall.gap(now.at(angle)) <= wall.gap(now.at(nearest[0])) + 1e-12 * search_.size)
           slope = std::min(slope, slope_of(angle));
-      see(arm, lever, counts, slope, [&](double time) { return wall.least_gap(ring_at(time)); });
+      see(arm, lever, slope, [&](double time) { return wall.least_gap(ring_at(time)); });
     }
     return least;
   }
@@ -199,7 +181,6 @@ class HollowSearch3 {
   const TouchSearch& search_;
   GapScale scale_;
   AxisState axis_of_hollow_, axis_of_other_;
-  HeldPair held_;
 };
 
 }  // namespace

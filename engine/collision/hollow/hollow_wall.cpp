@@ -62,15 +62,6 @@ boost::container::static_vector<double, 2> HollowWall3::nearest(const Ring& ring
   return farthest_on_ellipse(flat(ring.centre), flat(ring.a), flat(ring.b));
 }
 
-double HollowWall3::least_gap(const Ring& ring, double from, double to) const {
-  double least = std::min(gap(ring.at(from)), gap(ring.at(to)));
-  for (const double angle : nearest(ring)) {
-    const double after = std::fmod(angle - from + 4 * pi, 2 * pi);
-    if (after <= to - from) least = std::min(least, gap(ring.at(angle)));
-  }
-  return least;
-}
-
 bool HollowWall3::contains(const Vec3& middle) const {
   return plane_ || (std::abs(axis_.dot(middle)) <= half_ && gap(middle) > -HollowWall2::wall_share * radius_);
 }

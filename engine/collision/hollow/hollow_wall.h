@@ -48,8 +48,6 @@ class HollowWall3 {
   /// Where the gap over a ring is least locally, the least first: one or two angles.
   boost::container::static_vector<double, 2> nearest(const Ring& ring) const;
   double least_gap(const Ring& ring) const { return gap(ring.at(nearest(ring)[0])); }
-  /// The least gap over the arc between two angles.
-  double least_gap(const Ring& ring, double from, double to) const;
   /// Whether a contactor touches the wall: its middle is inside, between the ends of a hollow cylinder.
   bool contains(const Vec3& middle) const;
   const Vec3& axis() const { return axis_; }

@@ -98,7 +98,7 @@ class PairSearch {
         held_(a, b, by, search),
         scale_(search.size),
         by_(by),
-        by_pairs_(by == CoreSearch::pill && !search.held.list.empty()) {}
+        by_pairs_(b.facet && by == CoreSearch::pill && !search.held.list.empty()) {}
 
   /// How long the direction of the last call separates the pair [s]. If it no longer does, the best direction
   /// is used.
@@ -143,21 +143,20 @@ class PairSearch {
   double margin() const { return search_.slack - 1e-9 * search_.size; }
 
   /// How far the points of the reference reach along a direction, apart for those whose pairs with the point
-  /// j of the other contactor are held, or may sink.
+  /// j of the other contactor are held.
   struct Supports {
-    double free = -forever, held = -forever, sinks = -forever;
+    double free = -forever, held = -forever;
     bool drifts = false;  ///< the normals of held contacts drift from the direction
   };
   Supports supports_of(const Direction& d, const Vec3& normal, const Moving3& reference,
                        const MovingState& sr, const MovingState& so, int j) const {
     const auto hold_of = [&](int i) {
-      return &reference == &a_ ? held_.hold(-normal, features_of(d), i, j, sr, so)
-                               : held_.hold(normal, features_of(d), j, i, so, sr);
+      return &reference == &a_ ? held_.hold(-normal, features_of(d), i, j, sr)
+                               : held_.hold(normal, features_of(d), j, i, so);
     };
     Supports supports;
     if (!by_pairs_) {  // a contact with a feature holds all of its points
-      const Hold hold = hold_of(0);
-      (hold == Hold::no ? supports.free : hold == Hold::exactly ? supports.held : supports.sinks) = d.support;
+      (hold_of(0) == Hold::no ? supports.free : supports.held) = d.support;
       return supports;
     }
     for (int i = 0; i < static_cast<int>(reference.shape.points.size()); ++i) {
@@ -212,8 +211,6 @@ class PairSearch {
       };
       if (supports.free > -forever) see(supports.free, Counts::fully);
       if (supports.held > -forever && of_held != Counts::never) see(supports.held, of_held);
-      if (supports.sinks > -forever)
-        see(supports.sinks - most_sinking * search_.size, t == 0 ? Counts::from_zero : Counts::fully);
       if (supports.drifts && of_held == Counts::never)
         least = std::min(least, within(drift_time(sr, so, bounds.speed), left, forever));
     }
@@ -248,12 +245,12 @@ class PairSearch {
       const Vec3 &pa = a_.shape.points[i], &pb = b_.shape.points[j];
       const double gap = of_a.of(pa) - of_b.of(pb) - radii, slope = of_a.rate(pa) - of_b.rate(pb);
       if (stays_open(gap + margin(), slope, bend, std::min(least, end_ - t))) return;
-      const Hold hold = held_.hold(normal, features_of(d), i, j, sa, sb);
+      const Hold hold = held_.hold(normal, features_of(d), i, j, sa);
       Counts counts = search_.held.counts(hold, t);
       double sinking = 0;
       if (counts == Counts::never) {
-        // The contact of a pill drifts from the direction; that of other features of hulls has this normal
-        // only now, so its point may sink along it by so much.
+        // The contact of a pill drifts from the direction; that of an edge on an edge has this normal only
+        // now, so its point may sink along it by so much.
         if (hold == Hold::for_now && by_ == CoreSearch::pill)
           least = std::min(least, within(drift_time(sa, sb, bounds.speed), end_ - t, forever));
         if (hold == Hold::exactly || by_ == CoreSearch::pill) return;
@@ -313,10 +310,7 @@ class PairSearch {
       if (b_.facet && by_ == CoreSearch::pill) try_faces(b_, Direction::Kind::of_b);
       if (best < enough) try_nearest(a, sa, b, sb, try_direction);
       if (by_pairs_ && best <= 0) {
-        if (b_.facet)
-          try_held_edges(a, b, try_direction);
-        else
-          try_faces(b_, Direction::Kind::of_b);
+        try_held_edges(a, b, try_direction);
         try_faces(a_, Direction::Kind::of_a);
       }
     } else {
@@ -362,10 +356,6 @@ class PairSearch {
       try_direction(attached_direction(a_, sa, Direction::Kind::of_a, -nearest.normal, nearest.of_a));
     if (nearest.of_a.kind == FeatureKind::edge && nearest.of_b.kind == FeatureKind::edge)
       try_direction(across_edges({nearest.of_a.index, nearest.of_b.index, -nearest.normal, 0}, a, b));
-    if (!b_.facet && by_pairs_)
-      held_.for_edges([&](int of_a, int of_b) {
-        try_direction(across_edges({of_a, of_b, -nearest.normal, 0}, a, b));
-      });
   }
 
   const Moving3& a_;
@@ -378,7 +368,7 @@ class PairSearch {
   Direction direction_;
   bool chosen_ = false;
   CoreSearch by_;
-  bool by_pairs_;  ///< a pill touches at the start: contacts hold pairs of points
+  bool by_pairs_;  ///< a pill touches the ground at the start: contacts hold pairs of points
 };
 
 }  // namespace

@@ -1,9 +1,7 @@
 // Time of impact of contactors with circles.
 
 #include <algorithm>
-#include <boost/container/small_vector.hpp>
 
-#include "collision/held_3d.h"
 #include "collision/pair_search.h"
 #include "collision/rules.h"
 #include "collision/safe_root.h"
@@ -15,11 +13,6 @@ namespace flyrock {
 
 namespace {
 
-constexpr double closed = 1e-6;  // of the size: greater gaps are of no contact that exists
-// Of the size: by how much pieces that contacts hold may sink in a step. A rim is held at some places only,
-// and sinks with others where they come down.
-constexpr double rim_sinking = 1e-5;
-
 class CircleSearch {
  public:
   CircleSearch(Workspace& work, const Moving3& a, const Moving3& b, double end, const TouchSearch& search)
@@ -30,7 +23,6 @@ class CircleSearch {
         scale_(search.size),
         axis_a_(a),
         axis_b_(b),
-        held_(a, b, search),
         of_a_(work.heights_a),
         of_b_(work.heights_b) {}
 
@@ -43,17 +35,16 @@ class CircleSearch {
     const double left = end_ - t;
     double best = 0;
     const auto attempt = [&](const Direction& d) {
-      if (best < left) best = std::max(best, separates(d, sa, sb, body_a, body_b, t));
+      if (best < left) best = std::max(best, separates(d, sa, sb, t));
     };
-    if (b_.facet) attempt(with_b(b_.facet->normal, sb, 0));
+    if (b_.facet) attempt(with_b(b_.facet->normal, sb));
     if (best >= left || (b_.facet && b_.facet->unbounded)) return best;
     const Placed3 a{a_.shape, {sa.x, sa.turn.rotation}}, b{b_.shape, {sb.x, sb.turn.rotation}};
     const FacingPair pair = facing_pair(a, b);
     nearest_ = pair.normal;
-    touches_ = pair.apart.distance - a_.shape.radius - b_.shape.radius < closed * search_.size;
     const Patch &of_a = pair.of_a, &of_b = pair.of_b;
-    if (of_b.is_plane()) attempt(with_b(of_b.normal, sb, of_b.feature.index));
-    if (of_a.is_plane()) attempt(with_a(-of_a.normal, sa, of_a.feature.index));
+    if (of_b.is_plane()) attempt(with_b(of_b.normal, sb));
+    if (of_a.is_plane()) attempt(with_a(-of_a.normal, sa));
     if (of_a.kind == Patch::Kind::segment && of_b.kind == Patch::Kind::segment)
       attempt(across(of_a.places[1].at - of_a.places[0].at, sa, of_b.places[1].at - of_b.places[0].at, sb));
     attempt(with_b(nearest_, sb));
@@ -62,28 +53,20 @@ class CircleSearch {
       attempt(with_b(pair.apart.normal, sb));
       attempt(with_a(pair.apart.normal, sa));
     }
-    if (b_.facet)
-      for (const HeldOnGround& h : b_.held_on_ground)
-        if (kind_of(h.against) == FeatureKind::face) attempt(with_b(h.upward, sb));
     return best;
   }
 
  private:
-  /// Towards the highest place of each rim at the start; unit.
-  using FirstPlaces = boost::container::small_vector<Vec3, 2>;
-
   /// A normal from b to a.
   struct Direction : TurningNormal {
     enum class Turns { with_a, with_b, with_both } turns;
-    int face =
-        -1;  ///< of the contactor with which it turns: the face or cap that it is the normal of; -1: none
   };
 
-  static Direction with_a(const Vec3& normal, const MovingState& sa, int face = -1) {
-    return {TurningNormal::with(sa, normal), Direction::Turns::with_a, face};
+  static Direction with_a(const Vec3& normal, const MovingState& sa) {
+    return {TurningNormal::with(sa, normal), Direction::Turns::with_a};
   }
-  static Direction with_b(const Vec3& normal, const MovingState& sb, int face = -1) {
-    return {TurningNormal::with(sb, normal), Direction::Turns::with_b, face};
+  static Direction with_b(const Vec3& normal, const MovingState& sb) {
+    return {TurningNormal::with(sb, normal), Direction::Turns::with_b};
   }
 
   /// The cross product of a line of each contactor.
@@ -94,26 +77,24 @@ class CircleSearch {
     return {TurningNormal::across(e, sa, f, sb, sign, product.norm()), Direction::Turns::with_both};
   }
 
-  /// The least height of some pieces after a time.
-  template <class Some>
-  static double lowest(const std::vector<PieceHeight>& pieces, const Some& some, double time) {
+  /// The least height of the pieces after a time.
+  static double lowest(const std::vector<PieceHeight>& pieces, double time) {
     double low = forever;
-    for (int i = 0; i < static_cast<int>(pieces.size()); ++i)
-      if (some(i)) low = std::min(low, pieces[i].at(time));
+    for (const PieceHeight& piece : pieces) low = std::min(low, piece.at(time));
     return low;
   }
 
-  /// How deep held pieces may sink, of which the lowest has this gap along the direction at hand: no deeper
-  /// than where they were when the search first met them held, and a little.
-  double may_sink(double gap, double t) {
-    if (!sunk_since_) sunk_since_ = t;
-    if (t == *sunk_since_) sunk_ = std::min(sunk_, std::max(0.0, -gap));
-    return sunk_ + rim_sinking * search_.size;
+  /// How fast the lowest pieces rise.
+  double slope_of(const std::vector<PieceHeight>& pieces) const {
+    const double low = lowest(pieces, 0) + 1e-12 * search_.size;
+    double slope = forever;
+    for (const PieceHeight& piece : pieces)
+      if (piece.at(0) <= low) slope = std::min(slope, piece.slope());
+    return slope;
   }
 
   /// How long a direction separates the pair from t on [s]. `sa`, `sb`: as AxisState gives them.
-  double separates(const Direction& d, const MovingState& sa, const MovingState& sb,
-                   const MovingState& body_a, const MovingState& body_b, double t) {
+  double separates(const Direction& d, const MovingState& sa, const MovingState& sb, double t) {
     const double left = end_ - t, turn = d.turn;
     const bool a_moves = d.turns != Direction::Turns::with_a, b_moves = d.turns != Direction::Turns::with_b;
     const double size_a = a_moves ? a_.shape.bound : 0, size_b = b_moves ? b_.shape.bound : 0;
@@ -130,80 +111,11 @@ class CircleSearch {
     piece_heights(a_.shape, heights_a, of_a_);
     piece_heights(b_.shape, heights_b, of_b_);
     const double offset = search_.slack - a_.shape.radius - b_.shape.radius;
-    double least = within(horizon, left, forever);
-
-    /// The pairs of some pieces of a with some of b.
-    const auto see = [&](const auto& some_a, const auto& some_b, Counts counts, double sinking = 0) {
-      if (least <= 0) return;
-      const auto slope_of = [&](const std::vector<PieceHeight>& pieces, const auto& some) {
-        const double low = lowest(pieces, some, 0) + 1e-12 * search_.size;
-        double slope = forever;
-        for (int i = 0; i < static_cast<int>(pieces.size()); ++i)
-          if (some(i) && pieces[i].at(0) <= low) slope = std::min(slope, pieces[i].slope());
-        return slope;
-      };
-      const auto gap = [&](double time) {
-        return lowest(of_a_, some_a, time) + lowest(of_b_, some_b, time) + offset + sinking -
-               0.5 * bend * time * time;
-      };
-      if (gap(0) == forever) return;
-      const double time =
-          safe_root(gap, slope_of(of_a_, some_a) + slope_of(of_b_, some_b), horizon, scale_, counts);
-      least = std::min(least, within(horizon, left, time));
+    const auto gap = [&](double time) {
+      return lowest(of_a_, time) + lowest(of_b_, time) + offset - 0.5 * bend * time * time;
     };
-    const auto all = [](int) { return true; };
-    const bool turns_with_b = d.turns == Direction::Turns::with_b;
-    const Hold hold = held_.hold(d.normal, {turns_with_b, d.face}, nearest_, touches_);
-    if (hold == Hold::no) {
-      see(all, all, Counts::fully);
-      return least;
-    }
-    const auto held_a = [&](int i) { return held_.of_a().has(i); };
-    const auto held_b = [&](int i) { return held_.of_b().has(i); };
-    see([&](int i) { return !held_a(i); }, all, Counts::fully);
-    see(
-        held_a, [&](int i) { return !held_b(i); }, Counts::fully);
-    if (const Counts counts = held_.counts(t); counts != Counts::never) {
-      see(held_a, held_b, counts);
-      return least;
-    }
-    if (!held_.yields())
-      see(held_a, held_b, Counts::fully,
-          may_sink(lowest(of_a_, held_a, 0) + lowest(of_b_, held_b, 0) + offset, t));
-    if (hold == Hold::for_now) {
-      const double rate = sa.w_max + sb.w_max + speed / std::min(search_.size, a_.shape.bound);
-      if (rate > 0) least = std::min(least, within(drift_angle / rate, left, forever));
-    }
-    // These follow places of the rims, which turn with the bodies.
-    const double w = body_a.w_max + body_b.w_max + turn;
-    const double turning = w * w + body_a.w_rate + body_b.w_rate + d.turn_rate;
-    const Heights rims_a(d.normal, d.rate, body_a, sb.x, sb.v),
-        rims_b(-d.normal, -d.rate, body_b, sb.x, sb.v);
-    if (a_moves || d.face < 0)
-      quarter_turns(held_.of_a(), first_a_, a_.shape, rims_a, turning, horizon, left, least);
-    if (b_moves || d.face < 0)
-      quarter_turns(held_.of_b(), first_b_, b_.shape, rims_b, turning, horizon, left, least);
-    return least;
-  }
-
-  /// Limits a time to the one at which the lowest place of a rim that is held there only has walked a quarter
-  /// of a turn around it; then the cap is level, or nearly so, and another place touches. `turning` is a
-  /// bound on the second rate of the normal, as the contactor sees it. Over the plane of its own cap, no
-  /// place of a rim is lowest.
-  void quarter_turns(const HeldPieces& held, FirstPlaces& first, const Contactor3& shape,
-                     const Heights& heights, double turning, double horizon, double left,
-                     double& least) const {
-    constexpr double level = 1e-9;  // share of the size
-    for (std::size_t i = 0; i < shape.circles.size(); ++i) {
-      const Contactor3::Circle& circle = shape.circles[i];
-      if (!held.has_in_part(static_cast<int>(shape.points.size() + i))) continue;
-      if (first.size() <= i) first.resize(i + 1, Vec3::Zero());
-      if (first[i].isZero(0)) first[i] = circle.towards(heights.rise());
-      const Vec3 arm = circle.radius * first[i];
-      const double time = safe_time(arm.dot(heights.rise()) - level * search_.size, arm.dot(heights.change()),
-                                    circle.radius * turning, scale_, Counts::fully);
-      least = std::min(least, within(horizon, left, time));
-    }
+    const double slope = slope_of(of_a_) + slope_of(of_b_);
+    return within(horizon, left, safe_root(gap, slope, horizon, scale_, Counts::fully));
   }
 
   const Moving3& a_;
@@ -212,13 +124,8 @@ class CircleSearch {
   const TouchSearch& search_;
   GapScale scale_;
   AxisState axis_a_, axis_b_;
-  HeldPair held_;
   Vec3 nearest_ = Vec3::Zero();            ///< the normal of contacts of the pair
-  bool touches_ = false;                   ///< along the normal that separates the cores most
-  std::optional<double> sunk_since_;       ///< s, when held pieces were first met,
-  double sunk_ = forever;                  ///< m, and how deep they lay then along the best direction
   std::vector<PieceHeight>&of_a_, &of_b_;  ///< along the direction at hand
-  FirstPlaces first_a_, first_b_;
 };
 
 }  // namespace
