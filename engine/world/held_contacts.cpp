@@ -167,7 +167,7 @@ std::optional<double> World<D>::first_return(double h) {
     const Contact& c = last_[a];
     const int part = contactor_of(c.at.feature);
     const bool searched = c.antagonist < 0
-                              ? is_searched(c.candidate, part)
+                              ? is_searched(c.candidate, part) || !is_close(c.candidate, -1)
                               : is_searched(c.candidate, part, c.antagonist, contactor_of(c.at.against));
     if (!searched || c.law.condition == NormalCondition::penalty || has_same(contacts_, c)) continue;
     const double end = gap_at(c, false);

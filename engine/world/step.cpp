@@ -216,23 +216,21 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
     return TouchSearch{held_in_step(i, j), 0.5 * touch(i, j) + 2 * sunk_springs(i, j), contact_size(i, j),
                        &quality_.toc_iterations};
   };
-  const auto search_apart = [&](int i, int j) {
-    return TouchSearch{held_in_flight(i, j), 0, contact_size(i, j), &quality_.toc_iterations};
-  };
   for (int i = 0; i < static_cast<int>(bodies.size()); ++i) {
     const Body<D>& body = bodies[i];
     if (!body.moves()) continue;
     const bool close = is_close(i, -1);
     if (pass_held && close) continue;
+    const TouchSearch search = search_on(i, -1);
     near_parts(work_, body.parts, starts_[i].pose(), *terrain_, greatest_travel(motions_[i], body.size, h),
                parts_);
     bool watched = false;
     for (const int k : parts_) {
-      const bool searched = is_searched(i, k);
-      watched = watched || (close && !searched);
-      if (close && !searched) continue;
-      consider(time_of_contact<D>(work_, {body.contactors[k], motions_[i], k}, *terrain_, first.value_or(h),
-                                  searched ? search_on(i, -1) : search_apart(i, -1)));
+      if (close && !is_searched(i, k))
+        watched = true;
+      else
+        consider(time_of_contact<D>(work_, {body.contactors[k], motions_[i], k}, *terrain_, first.value_or(h),
+                                    search));
     }
     if (watched) consider(first_event(i, -1, first.value_or(h)));
   }
@@ -246,15 +244,18 @@ std::optional<double> World<D>::first_touch(double h, bool pass_held) {
     if (!may_touch(i, j)) continue;
     const bool close = is_close(i, j);
     if (pass_held && close) continue;
+    const TouchSearch search =
+        close ? search_on(i, j)
+              : TouchSearch{held_in_flight(i, j), 0, contact_size(i, j), &quality_.toc_iterations};
     const double travel = greatest_travel(motions_[i], a.size, h) + greatest_travel(motions_[j], b.size, h);
     near_parts(work_, a.parts, starts_[i].pose(), b.parts, starts_[j].pose(), travel, part_pairs_);
     bool watched = false;
     for (const auto& [k, l] : part_pairs_) {
-      const bool searched = close && is_searched(i, k, j, l);
-      watched = watched || (close && !searched);
-      if (close && !searched) continue;
-      consider(time_of_contact<D>(work_, {a.contactors[k], motions_[i], k}, {b.contactors[l], motions_[j], l},
-                                  first.value_or(h), searched ? search_on(i, j) : search_apart(i, j)));
+      if (close && !is_searched(i, k, j, l))
+        watched = true;
+      else
+        consider(time_of_contact<D>(work_, {a.contactors[k], motions_[i], k},
+                                    {b.contactors[l], motions_[j], l}, first.value_or(h), search));
     }
     if (watched) consider(first_event(i, j, first.value_or(h)));
   }
