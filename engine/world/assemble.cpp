@@ -12,11 +12,11 @@ namespace {
 
 /// The line with which a body, or the terrain where it is null, touches; see touching_line.
 std::optional<Vec3> line_of(const Body<3>* body, const Terrain3& terrain, FeatureId feature,
-                            const Vec3& normal) {
+                            const Vec3& direction) {
   if (!body) return touching_line(terrain, feature);
   const Contactor3& contactor = body->contactor_with(feature);
   if (contactor.form != Form::outline)
-    return touching_line(Placed3{contactor, body->pose()}, feature, normal);
+    return touching_line(Placed3{contactor, body->pose()}, feature, direction);
   const auto line = touching_line(*contactor.ground, feature);
   return line ? std::optional<Vec3>(body->pose().r * *line) : line;
 }
@@ -103,7 +103,7 @@ typename World<D>::Turning World<D>::turning_of(const Contact& contact, double a
       const Vec3 w = part.spin = now.template tail<3>();
       Vec3 rate = w.cross(lever);
       if (part.rolls && part.kind == TouchingPart<3>::Kind::place) {
-        const auto line = line_of(other < 0 ? nullptr : &bodies[other], *terrain_, against, normal);
+        const auto line = line_of(other < 0 ? nullptr : &bodies[other], *terrain_, against, side * normal);
         const Vec3 walking =
             lever_rate(Placed3{contactor, body.pose()}, feature, -side * normal, w, lever, line);
         if ((walking - rate).norm() * h < most_walk * contactor.bound) rate = walking;

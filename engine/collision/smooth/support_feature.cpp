@@ -35,6 +35,10 @@ Patch face_of(const Placed3& shape, int f) {
   return patch;
 }
 
+bool names_side(const Contactor3& shape, FeatureId feature) {
+  return !shape.circles.empty() && kind_of(feature) == FeatureKind::face && index_of(feature) == side_face;
+}
+
 /// The place of a piece that is farthest along a direction in the contactor's frame.
 Vec3 farthest(const Contactor3& shape, int piece, const Vec3& local) {
   const int points = static_cast<int>(shape.points.size());
@@ -139,7 +143,7 @@ std::optional<Patch> known_feature(const Placed3& placed, FeatureId id, const Ve
   if (feature.kind == FeatureKind::vertex) {
     add_piece(feature.index);
   } else if (!shape.circles.empty()) {
-    const bool is_side = feature.kind == FeatureKind::face && feature.index == side_face;
+    const bool is_side = names_side(shape, id);
     if (!is_side && (feature.kind == FeatureKind::face || place_of_rim(feature.index) > 0))
       return std::nullopt;
     if (is_side) {
@@ -157,12 +161,16 @@ std::optional<Patch> known_feature(const Placed3& placed, FeatureId id, const Ve
   return patch;
 }
 
-std::optional<Vec3> touching_line(const Placed3& shape, FeatureId feature, const Vec3& normal) {
+std::optional<Vec3> touching_line(const Placed3& shape, FeatureId feature, const Vec3& direction) {
+  const int index = index_of(feature);
+  if (names_side(shape.shape, feature)) {
+    const auto side = known_feature(shape, feature, direction);
+    return side->places[1].at - side->places[0].at;
+  }
   if (kind_of(feature) == FeatureKind::face) return std::nullopt;
   if (kind_of(feature) == FeatureKind::vertex) return Vec3::Zero();
-  const int index = index_of(feature);
   if (!shape.shape.circles.empty())
-    return (shape.pose.r * shape.shape.circles[circle_of_rim(index)].axis).cross(normal);
+    return (shape.pose.r * shape.shape.circles[circle_of_rim(index)].axis).cross(direction);
   const Contactor3::Edge& edge = shape.shape.edges[index];
   return shape.pose.r * (shape.shape.points[edge.end] - shape.shape.points[edge.start]);
 }

@@ -57,9 +57,10 @@ std::optional<Patch> known_feature(const Placed3& shape, FeatureId feature, cons
 /// A place on a patch: its first one, or the centre of a disc.
 Vec3 place_on(const Patch& patch);
 
-/// The line with which a feature touches: an edge, or the tangent of a rim. A vertex gives the zero vector, a
-/// face none. Of any length, world frame; `normal` is that of the contact.
-std::optional<Vec3> touching_line(const Placed3& shape, FeatureId feature, const Vec3& normal);
+/// The line with which a feature touches: an edge, the tangent of a rim, or the line of a side. A vertex
+/// gives the zero vector, a face none. Of any length, world frame; `direction` points out of the contactor
+/// along the normal of the contact.
+std::optional<Vec3> touching_line(const Placed3& shape, FeatureId feature, const Vec3& direction);
 std::optional<Vec3> touching_line(const Ground3& ground, FeatureId feature);
 
 /// The rate at which the lever of a contact changes [m/s]. `lever` leads from the centre of mass to the

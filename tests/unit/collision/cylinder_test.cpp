@@ -10,6 +10,7 @@
 #include "collision/pairs.h"
 #include "collision/smooth/facing_pair.h"
 #include "collision/smooth/gjk.h"
+#include "collision/smooth/support_feature.h"
 #include "geometry/cone.h"
 #include "geometry/hull.h"
 #include "indexed.h"
@@ -349,6 +350,28 @@ TEST_CASE("cylinders at random places over a ridge with a peak have the gap of i
     wrong += !good;
   }
   CHECK(wrong == 0);
+}
+
+TEST_CASE("the place of a rim that lies nearly flat walks on a plane, and not on the line of a side") {
+  const Contactor3 disc = Contactor3::cylinder(0.2, 0.05), log = Contactor3::cylinder(1.5, 4);
+  const Placed3 lying{log, {Vec3::Zero(), Rotation3::from_vector(0.5 * pi * Vec3::UnitY())}};
+  const FeatureId side = lying.id({FeatureKind::face, side_face}),
+                  rim = feature_id(0, FeatureKind::edge, rim_index(0, 0));
+  const Vec3 up = Vec3::UnitZ(), spin(3, 2, 1);
+  const std::optional<Vec3> line = touching_line(lying, side, up);
+  REQUIRE(line);
+  CHECK(line->cross(Vec3::UnitX()).norm() < 1e-12 * line->norm());
+  for (const double tilt : {1e-2, 3e-3, 1e-3}) {
+    // The lowest place is on the line. Where the disc turns about the line, the log falls away on both sides.
+    const Placed3 over_line{disc, {1.6 * up, Rotation3::from_vector(tilt * Vec3::UnitY())}};
+    const Vec3 lever = rim_place(over_line, rim_index(0, 0), -up) - over_line.pose.x;
+    const auto rate = [&](const std::optional<Vec3>& other) {
+      return lever_rate(over_line, rim, -up, spin, lever, other);
+    };
+    CHECK((rate(line) - spin.cross(lever)).norm() == 0);
+    // On a plane the place turns with the azimuth of the axis.
+    CHECK(rate(std::nullopt).norm() == Approx(0.2 * spin.x() / tilt).epsilon(0.02));
+  }
 }
 
 }  // namespace cylinder_test
