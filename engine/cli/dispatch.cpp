@@ -37,7 +37,7 @@ constexpr std::array<Command, 23> command_table = {{
      "finds the sets of a survey of joints, and which planes could let a face fail", joints},
     {"sensitivity", "sensitivity SCENARIO [--of MEASURE] [--inputs STREAM,...] [options]",
      "says which inputs explain the variance of a number (Sobol indices)", sensitivity},
-    {"export", "export DIR --to csv|vtk|obj|dxf|geojson|gpkg|asc|tif [-o PATH]",
+    {"export", "export DIR --to csv|hdf5|vtk|gltf|obj|dxf|geojson|gpkg|asc|tif [-o PATH]",
      "writes a result as CSV tables, for ParaView, or as layers and maps for a GIS", export_result},
     {"animate", "animate DIR [-o FILE.svg|.mp4|.gif|.png] [--at TIME]",
      "draws the motion of the stored rocks as an animated picture, a film, or frame by frame", animate},

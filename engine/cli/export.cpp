@@ -14,9 +14,12 @@
 #include "report/exports/export_csv.h"
 #include "report/exports/export_dxf.h"
 #include "report/exports/export_geojson.h"
+#include "report/exports/export_gltf.h"
+#include "report/exports/export_hdf5.h"
 #include "report/exports/export_obj.h"
 #include "report/exports/export_vtk.h"
 #include "report/tables/stored_scene.h"
+#include "solver/hdf5_file.h"
 
 namespace flyrock::cli {
 
@@ -75,6 +78,15 @@ std::vector<fs::path> export_gpkg(const fs::path& results, const fs::path& folde
   return packages;
 }
 
+std::vector<fs::path> export_h5(const fs::path& results, const fs::path& folder) {
+  if (!has_hdf5())
+    throw UsageError(
+        "--to hdf5: this flyrock was built without HDF5 (Debian: libhdf5-dev); --to csv writes the same "
+        "tables "
+        "without it");
+  return export_hdf5(results, folder);
+}
+
 struct Format {
   const char* name;
   /// Writes the database into a folder and returns the files.
@@ -89,17 +101,22 @@ struct Format {
 constexpr const char* no_maps =
     "this result has no maps (only runs in 3D make maps; see output.maps of the scenario)";
 
+constexpr const char* no_paths =
+    "no trajectory is stored; output.trajectories of the scenario says how many are";
+
 constexpr const char* no_plan = "this result has no places in plan (only runs in 3D do)";
 
-constexpr std::array<Format, 8> formats = {{
+constexpr std::array<Format, 10> formats = {{
     {"asc", export_asc, no_maps},
     {"csv", export_csv, ""},
     {"dxf", export_dxf, "this result has no places"},
     {"geojson", export_geojson, no_plan},
+    {"gltf", export_gltf, no_paths},
     {"gpkg", export_gpkg, no_plan, "ogr2ogr", "geojson", "the same layers"},
+    {"hdf5", export_h5, ""},
     {"obj", export_obj, "this result has no blocks between joints"},
     {"tif", export_tif, no_maps, "gdal_translate", "asc", "the same maps"},
-    {"vtk", export_vtk, "no trajectory is stored; output.trajectories of the scenario says how many are"},
+    {"vtk", export_vtk, no_paths},
 }};
 
 const Format& format_of(const std::string& name) {
@@ -121,8 +138,10 @@ const Format& format_of(const std::string& name) {
 int export_result(const Command& command, const Arguments& arguments) {
   po::options_description options("options");
   options.add_options()(
-      "to", po::value<std::string>()->value_name("csv|vtk|obj|dxf|geojson|gpkg|asc|tif"),
-      "csv (every table), vtk (trajectories, for ParaView), obj (blocks between joints), dxf (paths, "
+      "to", po::value<std::string>()->value_name("csv|hdf5|vtk|gltf|obj|dxf|geojson|gpkg|asc|tif"),
+      "csv or hdf5 (every table), vtk (trajectories, for ParaView), gltf (moving rocks, for viewers of 3D "
+      "models), "
+      "obj (blocks between joints), dxf (paths, "
       "ends, area; in 2D a section with envelopes); for a GIS: geojson or gpkg (paths, "
       "ends, gates, barriers, trees, zones, area), asc or tif (maps); gpkg and tif need GDAL; "
       "required")("output,o", po::value<std::string>()->value_name("FILE|DIR"),

@@ -10,9 +10,9 @@
 
 #include "cli/command.h"
 #include "cli/terminal.h"
-#include "document/table.h"
 #include "files/safe_file.h"
 #include "report/page/joints_page.h"
+#include "scenario/layer_table.h"
 #include "units/units.h"
 
 namespace flyrock::cli {
@@ -109,7 +109,7 @@ std::optional<std::vector<SurveyedPlane>> read_survey(const std::string& path) {
                                  {.name = "scanline_plunge", .dimension = dimension::angle},
                                  {.name = "trace_length", .dimension = dimension::length},
                                  {.name = "weight", .dimension = dimension::none}};
-  const auto table = read_table(path, columns, {}, where, diagnostics);
+  const auto table = read_any_table(path, columns, {}, where, diagnostics);
   std::vector<SurveyedPlane> planes;
   const auto number = [&](std::size_t row, const char* column, double low, double high) {
     const auto value = table->number(row, column);

@@ -8,7 +8,6 @@
 
 #include "document/printable.h"
 #include "document/table_lines.h"
-#include "document/table_text.h"
 #include "document/wording.h"
 
 namespace flyrock {
@@ -143,8 +142,24 @@ class TextTableReader {
       : columns_(columns), heads_(heads), where_(where), diagnostics_(diagnostics), form_(form) {}
 
   std::optional<TextTable> read(const std::string& path) {
+    try {
+      return read(read_table_text(path), path);
+    } catch (const TableTextFault& fault) {
+      source_ = fault.source;
+      if (source_)
+        fail_at(fault.line, 1, fault.what());
+      else
+        where_.error(diagnostics_, fault.what());
+      return std::nullopt;
+    }
+  }
+
+  std::optional<TextTable> read(const TableText& text, const std::string& path) {
     const std::size_t before = diagnostics_.errors_given();
-    if (read_lines(path) && read_heads()) {
+    source_ = text.source;
+    is_sheet_ = text.is_sheet;
+    line_ = next_line_ = 1;
+    if (read_heads()) {
       while (next_record())
         if (!without_blanks(record_).empty()) read_row();
       check_rows();
@@ -168,23 +183,6 @@ class TextTableReader {
 
   void fail_at(int line, int at, const std::string& text) {
     if (++errors_ <= most_errors) diagnostics_.error({source_, line, at}, where_.path, text);
-  }
-
-  bool read_lines(const std::string& path) {
-    try {
-      const TableText text = read_table_text(path);
-      source_ = text.source;
-      is_sheet_ = text.is_sheet;
-    } catch (const TableTextFault& fault) {
-      source_ = fault.source;
-      if (source_)
-        fail_at(fault.line, 1, fault.what());
-      else
-        where_.error(diagnostics_, fault.what());
-      return false;
-    }
-    line_ = next_line_ = 1;
-    return true;
   }
 
   /// The text of a line, without its comment, and with plain blanks.
@@ -501,6 +499,12 @@ std::optional<TextTable> read_table(const std::string& path, std::span<const Tab
                                     const std::map<std::string, std::string>& heads, const Node& where,
                                     Diagnostics& diagnostics, TableForm form) {
   return TextTableReader(columns, heads, where, diagnostics, form).read(path);
+}
+
+std::optional<TextTable> read_table(const TableText& text, std::span<const TableColumn> columns,
+                                    const std::map<std::string, std::string>& heads, const Node& where,
+                                    Diagnostics& diagnostics) {
+  return TextTableReader(columns, heads, where, diagnostics, TableForm::heads).read(text, text.source->name);
 }
 
 }  // namespace flyrock

@@ -10,6 +10,7 @@
 
 #include "document/node.h"
 #include "document/table_head.h"
+#include "document/table_text.h"
 
 namespace flyrock {
 
@@ -87,5 +88,9 @@ class TextTable {
 std::optional<TextTable> read_table(const std::string& path, std::span<const TableColumn> columns,
                                     const std::map<std::string, std::string>& heads, const Node& where,
                                     Diagnostics& diagnostics, TableForm form = TableForm::heads);
+/// The same of lines that were read elsewhere, with a line of heads.
+std::optional<TextTable> read_table(const TableText& text, std::span<const TableColumn> columns,
+                                    const std::map<std::string, std::string>& heads, const Node& where,
+                                    Diagnostics& diagnostics);
 
 }  // namespace flyrock

@@ -76,6 +76,15 @@ std::vector<TableField> fields_apart_by(char separator, std::string_view line) {
   return separator == ' ' ? words_of(line) : fields_of(line, separator);
 }
 
+std::string field_between_tabs(std::string text) {
+  for (char& c : text)
+    if (c == '\t' || c == '\n' || c == '\r') c = ' ';
+  if (text.find('"') == text.npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
 std::vector<TableField> bare_fields(std::string_view line, std::size_t expected) {
   if (line.find(';') != std::string_view::npos) {
     std::vector<TableField> fields = fields_of(line, ';');

@@ -26,6 +26,9 @@ char named_separator(std::string_view line);
 /// Cuts a line at its separators. A field in double quotes may hold them; "" is a quote in it.
 std::vector<TableField> fields_apart_by(char separator, std::string_view line);
 
+/// A text as a field of a line whose fields are apart by tabs.
+std::string field_between_tabs(std::string text);
+
 /// The numbers of a line without heads: apart by semicolons if it has one, else by commas or blanks. Where
 /// blanks alone give the right count, a comma between digits is one of decimals.
 std::vector<TableField> bare_fields(std::string_view line, std::size_t expected);

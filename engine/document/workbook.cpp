@@ -12,6 +12,7 @@
 #include <set>
 
 #include "document/printable.h"
+#include "document/table_lines.h"
 #include "document/wording.h"
 #include "document/zip_archive.h"
 #include "units/units.h"
@@ -84,22 +85,14 @@ class Cells {
       if (row.empty()) continue;
       for (std::size_t column = 0; column < width_; ++column) {
         if (column > 0) line += '\t';
-        if (const auto found = row.find(column); found != row.end()) line += as_field(found->second);
+        if (const auto found = row.find(column); found != row.end())
+          line += field_between_tabs(found->second);
       }
     }
     return result;
   }
 
  private:
-  static std::string as_field(std::string text) {
-    for (char& c : text)
-      if (c == '\t' || c == '\n' || c == '\r') c = ' ';
-    if (text.find('"') == text.npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
-  }
-
   std::vector<std::map<std::size_t, std::string>> rows_;
   std::size_t width_ = 0, count_ = 0;
 };
@@ -451,7 +444,7 @@ class Ods {
 }  // namespace
 
 SheetName sheet_name(const std::string& text) {
-  for (const std::string_view ending : {".xlsx#", ".xlsm#", ".ods#", ".xls#"})
+  for (const std::string_view ending : {".xlsx#", ".xlsm#", ".ods#", ".xls#", ".gpkg#"})
     if (const std::size_t at = lower(text).find(ending); at != text.npos) {
       const std::size_t mark = at + ending.size() - 1;
       return {text.substr(0, mark), text.substr(mark + 1)};

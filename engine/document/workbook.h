@@ -8,7 +8,8 @@
 
 namespace flyrock {
 
-/// `holes.xlsx#Sheet`: the file, and the sheet of it. Only names of workbooks have sheets.
+/// `holes.xlsx#Sheet`: the file, and the sheet of it, or the layer (`pit.gpkg#joints`). Only names of
+/// workbooks and of GeoPackages have parts.
 struct SheetName {
   std::string file, sheet;
 };

@@ -8,6 +8,7 @@
 #include "scenario/branches.h"
 #include "scenario/decode_document.h"
 #include "scenario/decode_sections.h"
+#include "scenario/each_feature.h"
 #include "scenario/normalise.h"
 #include "scenario/sweep.h"
 #include "scenario/sweep_rows.h"
@@ -70,6 +71,9 @@ class PlanDecoder {
   std::optional<Plan> decode() {
     if (!Node::root(tree_).expect_map(diagnostics_)) return std::nullopt;
     const std::size_t errors_before = diagnostics_.errors_given();
+    DecodeContext layers{registry_, folder_, diagnostics_, swept_};
+    expand_each_feature(tree_, layers);
+    if (diagnostics_.errors_given() > errors_before) return std::nullopt;
     rows_ = read_sweep_rows(tree_, folder_, diagnostics_);
     if (diagnostics_.errors_given() > errors_before) return std::nullopt;
     sweeps_ = find_sweeps(tree_, diagnostics_);

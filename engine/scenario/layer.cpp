@@ -36,6 +36,17 @@ bool is_equal(const std::string& attribute, const std::string& wanted) {
   return a && b && *a == *b;
 }
 
+/// The value of an attribute; null: the part has none.
+const std::string* value_of(const VectorPart& part, const std::string& attribute) {
+  for (const auto& [name, value] : part.attributes)
+    if (name == attribute) return &value;
+  return nullptr;
+}
+
+void add_once(std::vector<std::string>& values, const std::string& value) {
+  if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+}
+
 /// "3 lines"
 std::string count_text(std::size_t count, const char* one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
@@ -53,7 +64,12 @@ class LayerOf {
 
   /// The parts that `where` leaves; nothing if something is wrong, which is reported. `crs`: of the places.
   std::optional<std::vector<VectorPart>> read(const std::string& crs) try {
-    layer_ = read_vector_layer((fs::path(context_.folder) / file_).string(), name_, crs);
+    const fs::path path = fs::path(context_.folder) / file_;
+    layer_ = read_vector_layer(
+        path.string(), name_, crs,
+        fmt::format("convert it with `ogr2ogr -t_srs EPSG:NUMBER layer.geojson {}`: zones take `geojson: "
+                    "FILE`, and lines their points",
+                    path.filename().string()));
     std::vector<VectorPart> parts = std::move(layer_.parts);
     if (const auto where = node_.find("where"))
       for (const Node& wanted : where->entries())
@@ -66,6 +82,15 @@ class LayerOf {
   } catch (const PluginError& error) {
     node_.error(context_.diagnostics, error.what());
     return std::nullopt;
+  }
+
+  /// Whether the layer has an attribute; if not, that is reported.
+  bool has_attribute(const std::string& name) const {
+    const bool has =
+        std::find(layer_.attributes.begin(), layer_.attributes.end(), name) != layer_.attributes.end();
+    if (!has)
+      refuse(fmt::format("has no attribute `{}`{}", printable(name), suggestion(name, layer_.attributes)));
+    return has;
   }
 
   void refuse(const std::string& text) const {
@@ -87,20 +112,13 @@ class LayerOf {
  private:
   /// Leaves the parts whose attribute has a value.
   bool choose(std::vector<VectorPart>& parts, const Node& wanted) const {
-    if (std::find(layer_.attributes.begin(), layer_.attributes.end(), wanted.key) ==
-        layer_.attributes.end()) {
-      refuse(fmt::format("has no attribute `{}`{}", printable(wanted.key),
-                         suggestion(wanted.key, layer_.attributes)));
-      return false;
-    }
+    if (!has_attribute(wanted.key)) return false;
     const std::string value = text_of(*wanted.value);
     std::vector<std::string> values;
     std::erase_if(parts, [&](const VectorPart& part) {
-      for (const auto& [name, attribute] : part.attributes) {
-        if (name != wanted.key) continue;
-        if (is_equal(attribute, value)) return false;
-        if (std::find(values.begin(), values.end(), attribute) == values.end()) values.push_back(attribute);
-      }
+      const std::string* attribute = value_of(part, wanted.key);
+      if (attribute && is_equal(*attribute, value)) return false;
+      if (attribute) add_once(values, *attribute);
       return true;
     });
     if (parts.empty())
@@ -156,13 +174,21 @@ std::optional<std::vector<Vec3>> only_line(const LayerOf& layer, const std::vect
 
 }  // namespace
 
+void add_files_beside(DecodeContext& context, const std::string& file) {
+  if (!lower(file).ends_with(".shp")) return;
+  for (const char* ending : {"dbf", "shx", "prj"}) {
+    const fs::path beside = fs::path(file).replace_extension(ending);
+    if (std::error_code code; fs::exists(fs::path(context.folder) / beside, code))
+      context.files[beside.string()] = (fs::path(context.folder) / beside).string();
+  }
+}
+
 bool is_layer(const Value& value) { return value.find("layer") != nullptr; }
 
 Value normalise_layer(DecodeContext& context, const Node& node, const ParamSpec& spec) {
   const SectionSpec& keys = section_spec("layer");
   node.refuse_unknown_keys(keys.key_names(), context.diagnostics);
-  const bool fits = spec.type == ParamType::plan_points ? context.dimension == 3
-                                                        : context.dimension == 2 && spec.name == "points";
+  const bool fits = spec.type == ParamType::plan_points || (context.dimension == 2 && spec.name == "points");
   if (!fits) {
     node.error(context.diagnostics,
                fmt::format("expected {}: a layer has places in plan", expected_text(spec)));
@@ -181,21 +207,19 @@ Value normalise_layer(DecodeContext& context, const Node& node, const ParamSpec&
     }
     put(map, *where, map_value(std::move(wanted)));
   }
+  if (const auto each = node.find("each"); each && context.diagnostics.errors_given() == errors)
+    each->error(
+        context.diagnostics,
+        "makes several zones, gates, barriers or exposures of one: here one feature is expected, which "
+        "`where` chooses");
   if (context.diagnostics.errors_given() > errors) return {};
-  // A shapefile is several files.
-  const std::string file = *node.find("layer")->value->text();
-  if (lower(file).ends_with(".shp"))
-    for (const char* ending : {"dbf", "shx", "prj"}) {
-      const fs::path beside = fs::path(file).replace_extension(ending);
-      if (std::error_code code; fs::exists(fs::path(context.folder) / beside, code))
-        context.files[beside.string()] = (fs::path(context.folder) / beside).string();
-    }
+  add_files_beside(context, *node.find("layer")->value->text());
   return map_value(std::move(map));
 }
 
 std::vector<std::vector<double>> layer_points(DecodeContext& context, const Node& node,
                                               const ParamSpec& spec) {
-  const bool is_profile = context.dimension == 2;
+  const bool is_profile = spec.type != ParamType::plan_points;
   LayerOf layer(context, node);
   const auto parts = layer.read(is_profile ? own_system : context.crs);
   if (!parts) return {};
@@ -221,6 +245,24 @@ std::vector<std::vector<double>> layer_points(DecodeContext& context, const Node
   if (fault.empty()) return points;
   layer.refuse(fault);
   return {};
+}
+
+std::vector<std::string> layer_values(DecodeContext& context, const Node& node,
+                                      const std::string& attribute) {
+  LayerOf layer(context, node);
+  const auto parts = layer.read(any_system);
+  std::vector<std::string> values;
+  if (!parts || !layer.has_attribute(attribute)) return values;
+  for (const VectorPart& part : *parts) {
+    const std::string* value = value_of(part, attribute);
+    if (!value || value->empty()) {
+      layer.refuse(fmt::format("has a feature {} without `{}`: give it a value, or leave it out by `where`",
+                               part.feature, printable(attribute)));
+      return {};
+    }
+    add_once(values, *value);
+  }
+  return values;
 }
 
 std::vector<PlanPolygon> layer_region(DecodeContext& context, const Node& node) {

@@ -11,6 +11,9 @@ namespace flyrock {
 /// Whether a value is a layer and no list of points.
 bool is_layer(const Value& value);
 
+/// A shapefile is several files: adds those beside `file` to the files of the scenario.
+void add_files_beside(DecodeContext& context, const std::string& file);
+
 /// Normalises a layer in place of the points of `spec`: in 3D places in plan, in 2D the points of a profile.
 /// The layer itself is read when it is decoded, because it is transformed to the system of the terrain.
 Value normalise_layer(DecodeContext& context, const Node& node, const ParamSpec& spec);
@@ -20,6 +23,10 @@ Value normalise_layer(DecodeContext& context, const Node& node, const ParamSpec&
 /// Empty if something is wrong, which is reported.
 std::vector<std::vector<double>> layer_points(DecodeContext& context, const Node& node,
                                               const ParamSpec& spec);
+
+/// The values that an attribute has in a layer as it is written, after its `where`, each once in the order of
+/// the file. Empty if something is wrong, which is reported.
+std::vector<std::string> layer_values(DecodeContext& context, const Node& node, const std::string& attribute);
 
 /// The regions of a normalised layer: polygons with holes, and the insides of closed lines.
 std::vector<PlanPolygon> layer_region(DecodeContext& context, const Node& node);

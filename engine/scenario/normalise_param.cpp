@@ -72,6 +72,7 @@ Value normalise_file(DecodeContext& context, const Node& node, const ParamSpec& 
     return {};
   }
   context.files[file] = path.string();
+  add_files_beside(context, file);
   return text_value(*name);
 }
 

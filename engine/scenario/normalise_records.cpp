@@ -9,6 +9,7 @@
 
 #include "document/workbook.h"
 #include "document/yaml_reader.h"
+#include "scenario/layer.h"
 #include "scenario/normalise_params.h"
 #include "scenario/table_cells.h"
 
@@ -107,6 +108,7 @@ Value read_records_file(DecodeContext& context, const Node& node, const ParamSpe
     return {};
   }
   context.files[name] = path.string();
+  add_files_beside(context, name);
   const std::string ending = path.extension().string();
   if (ending == ".yaml" || ending == ".yml") return read_yaml_file(context, node, spec, path, rules);
   return read_table_file(context, node, spec, fs::path(context.folder) / *node.value->text());

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "scenario/layer_table.h"
 #include "scenario/normalise_number.h"
 
 namespace flyrock {
@@ -27,7 +28,7 @@ std::map<std::string, std::string> heads_of(const Node& section) {
 std::optional<TextTable> read_table_of(DecodeContext& context, const std::string& what,
                                        const std::string& path, std::span<const TableColumn> columns,
                                        const std::map<std::string, std::string>& heads, const Node& where) {
-  std::optional<TextTable> table = read_table(path, columns, heads, where, context.diagnostics);
+  std::optional<TextTable> table = read_any_table(path, columns, heads, where, context.diagnostics);
   const std::string* name = where.value->text();
   if (table)
     context.tables.push_back(fmt::format("{} of {}: {}", what, name ? *name : path, table->summary()));

@@ -8,6 +8,7 @@
 #include "document/printable.h"
 #include "document/table.h"
 #include "document/wording.h"
+#include "scenario/layer_table.h"
 
 namespace flyrock {
 
@@ -128,7 +129,7 @@ class TreeReader {
 std::optional<TreeFile> read_trees(const std::string& path, const std::map<std::string, double>& strengths,
                                    const std::map<std::string, std::string>& heads, const Node& where,
                                    Diagnostics& diagnostics) {
-  const auto table = read_table(path, tree_columns(), heads, where, diagnostics);
+  const auto table = read_any_table(path, tree_columns(), heads, where, diagnostics);
   if (!table) return std::nullopt;
   return TreeReader(*table, strengths, where, diagnostics).read();
 }

@@ -222,10 +222,31 @@ void Hdf5File::write(const std::string& path, const std::vector<std::int32_t>& n
   write_numbers(handle_, name_, path, H5T_NATIVE_INT32, numbers);
 }
 
+void Hdf5File::write(const std::string& path, const std::vector<std::int64_t>& numbers) {
+  write_numbers(handle_, name_, path, H5T_NATIVE_INT64, numbers);
+}
+
 void Hdf5File::write(const std::string& path, const std::string& text) {
   const Handle type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
   H5Tset_size(type, text.size() + 1);
   write_set(handle_, name_, path, type, space, text.c_str());
+}
+
+void Hdf5File::write(const std::string& path, const std::vector<std::string>& texts) {
+  std::size_t longest = 1;
+  for (const std::string& text : texts) longest = std::max(longest, text.size());
+  std::string bytes;
+  bytes.reserve(longest * texts.size());
+  for (std::string text : texts) {
+    text.resize(longest, '\0');
+    bytes += text;
+  }
+  const hsize_t count = texts.size();
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose), space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+  H5Tset_size(type, longest);
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  write_set(handle_, name_, path, type, space, bytes.data());
 }
 
 #else
@@ -250,6 +271,8 @@ std::size_t Hdf5File::count(const std::string&) const { refuse(name_); }
 std::string Hdf5File::text(const std::string&) const { refuse(name_); }
 void Hdf5File::write(const std::string&, const std::vector<double>&) { refuse(name_); }
 void Hdf5File::write(const std::string&, const std::vector<std::int32_t>&) { refuse(name_); }
+void Hdf5File::write(const std::string&, const std::vector<std::int64_t>&) { refuse(name_); }
+void Hdf5File::write(const std::string&, const std::vector<std::string>&) { refuse(name_); }
 void Hdf5File::write(const std::string&, const std::string&) { refuse(name_); }
 
 #endif

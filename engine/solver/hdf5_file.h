@@ -1,5 +1,5 @@
 #pragma once
-// An HDF5 file of numbers: the few calls of the C library that the FCLIB layout needs.
+// An HDF5 file of numbers and texts: the few calls of the C library that the FCLIB layout and tables need.
 
 #include <cstddef>
 #include <cstdint>
@@ -39,7 +39,10 @@ class Hdf5File {
   /// times.
   void write(const std::string& path, const std::vector<double>& numbers);
   void write(const std::string& path, const std::vector<std::int32_t>& numbers);
+  void write(const std::string& path, const std::vector<std::int64_t>& numbers);
   void write(const std::string& path, const std::string& text);
+  /// Texts in UTF-8, filled up with zeros to the length of the longest.
+  void write(const std::string& path, const std::vector<std::string>& texts);
 
  private:
   Hdf5File(std::string name, std::int64_t handle) : name_(std::move(name)), handle_(handle) {}

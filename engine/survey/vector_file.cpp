@@ -7,14 +7,9 @@
 
 namespace flyrock {
 
-VectorLayer read_vector_layer(const std::string& path, const std::string& layer, const std::string& crs) {
-  const std::string file = path.substr(path.rfind('/') + 1);
-  const auto read = reinterpret_cast<VectorReader>(gdal_entry_point(
-      path, vector_entry,
-      fmt::format(
-          "convert it with `ogr2ogr -t_srs EPSG:NUMBER layer.geojson {}`: zones take `geojson: FILE`, and "
-          "lines their points",
-          file)));
+VectorLayer read_vector_layer(const std::string& path, const std::string& layer, const std::string& crs,
+                              const std::string& conversion) {
+  const auto read = reinterpret_cast<VectorReader>(gdal_entry_point(path, vector_entry, conversion));
   VectorLayer found;
   std::vector<std::string> names;
   std::string wrong;

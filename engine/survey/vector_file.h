@@ -32,13 +32,19 @@ struct VectorLayer {
 
 /// In place of a system: places stay in that of the file, which must be in metres.
 inline constexpr const char* own_system = "own";
+/// In place of a system: the attributes of each feature alone, without its places.
+inline constexpr const char* any_system = "any";
 
 /// Reads a layer through the module flyrock_gdal.so: GeoPackage, shapefile, KML, DXF (the layers of the
 /// drawing; arcs as chords of a degree), GeoJSON and what else GDAL reads. `layer`: empty for the only one.
 /// `crs`: of the terrain, "EPSG:2056", to which places are transformed [m]; empty: it has none, and then a
 /// file that says its own is an error. x is east, whatever the order of the axes of a system. Throws
-/// PluginError, which begins with the path.
-VectorLayer read_vector_layer(const std::string& path, const std::string& layer, const std::string& crs);
+/// PluginError, which begins with the path; where the module is not installed, it ends with `conversion`.
+VectorLayer read_vector_layer(const std::string& path, const std::string& layer, const std::string& crs,
+                              const std::string& conversion);
+
+/// The attribute of the features of a DXF file that is the layer of the drawing.
+inline constexpr const char* layer_of_drawing = "Layer";
 
 /// The entry of flyrock_gdal.so: fills `found`, or says in `wrong` what is wrong with the file; where no
 /// layer has the name, `names` has those that there are.

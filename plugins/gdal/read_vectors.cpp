@@ -19,7 +19,6 @@ namespace flyrock {
 namespace {
 
 constexpr std::size_t most_features = 1'000'000, most_points = 10'000'000;
-constexpr const char* layer_attribute = "Layer";  // of the entities of a DXF file
 
 struct CloseVectors {
   void operator()(void* dataset) const { GDALClose(dataset); }
@@ -71,7 +70,8 @@ class LayerReader {
     const OGRFeatureDefnH definition = OGR_L_GetLayerDefn(layer_);
     for (int i = 0; i < OGR_FD_GetFieldCount(definition); ++i)
       found_.attributes.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(definition, i)));
-    if (std::string wrong = make_transform(crs); !wrong.empty()) return wrong;
+    with_places_ = crs != any_system;
+    if (std::string wrong = with_places_ ? make_transform(crs) : std::string(); !wrong.empty()) return wrong;
     OGR_L_ResetReading(layer_);
     while (const OGRFeatureH next = OGR_L_GetNextFeature(layer_)) {
       const std::unique_ptr<void, DestroyFeature> feature(next);
@@ -127,23 +127,27 @@ class LayerReader {
 
   bool is_wanted(OGRFeatureH feature) const {
     if (drawing_layer_.empty()) return true;
-    const int field = OGR_F_GetFieldIndex(feature, layer_attribute);
+    const int field = OGR_F_GetFieldIndex(feature, layer_of_drawing);
     return field >= 0 && drawing_layer_ == OGR_F_GetFieldAsString(feature, field);
   }
 
   std::string add(OGRFeatureH feature) {
-    const OGRGeometryH own = OGR_F_GetGeometryRef(feature);
-    if (!own || OGR_G_IsEmpty(own)) return "has no geometry";
-    const std::unique_ptr<void, DestroyGeometry> geometry(
-        OGR_G_HasCurveGeometry(own, FALSE) ? OGR_G_GetLinearGeometry(own, 1, nullptr) : OGR_G_Clone(own));
-    if (transform_ && OGR_G_Transform(geometry.get(), transform_.get()) != OGRERR_NONE)
-      return fmt::format("lies where {} cannot be transformed", found_.crs);
     VectorPart part;
     part.feature = number_;
     for (int i = 0; i < OGR_F_GetFieldCount(feature); ++i)
       if (OGR_F_IsFieldSetAndNotNull(feature, i))
         part.attributes.emplace_back(found_.attributes[static_cast<std::size_t>(i)],
                                      OGR_F_GetFieldAsString(feature, i));
+    if (!with_places_) {
+      found_.parts.push_back(std::move(part));
+      return {};
+    }
+    const OGRGeometryH own = OGR_F_GetGeometryRef(feature);
+    if (!own || OGR_G_IsEmpty(own)) return "has no geometry";
+    const std::unique_ptr<void, DestroyGeometry> geometry(
+        OGR_G_HasCurveGeometry(own, FALSE) ? OGR_G_GetLinearGeometry(own, 1, nullptr) : OGR_G_Clone(own));
+    if (transform_ && OGR_G_Transform(geometry.get(), transform_.get()) != OGRERR_NONE)
+      return fmt::format("lies where {} cannot be transformed", found_.crs);
     return add_geometry(geometry.get(), part);
   }
 
@@ -157,6 +161,7 @@ class LayerReader {
         part.lines = {points_of(geometry)};
         break;
       case wkbPolygon:
+      case wkbTriangle:
         part.form = FeatureForm::region;
         for (int i = 0; i < OGR_G_GetGeometryCount(geometry); ++i) {
           std::vector<Vec3> ring = points_of(OGR_G_GetGeometryRef(geometry, i));
@@ -168,6 +173,8 @@ class LayerReader {
       case wkbMultiLineString:
       case wkbMultiPolygon:
       case wkbGeometryCollection:
+      case wkbPolyhedralSurface:
+      case wkbTIN:
         for (int i = 0; i < OGR_G_GetGeometryCount(geometry); ++i)
           if (std::string wrong = add_geometry(OGR_G_GetGeometryRef(geometry, i), of); !wrong.empty())
             return wrong;
@@ -197,6 +204,7 @@ class LayerReader {
   const std::string& drawing_layer_;
   VectorLayer& found_;
   std::unique_ptr<void, DestroyTransform> transform_;
+  bool with_places_ = true;
   int number_ = 0;
   std::size_t points_ = 0;
 };
@@ -207,7 +215,7 @@ std::vector<std::string> drawing_layers(OGRLayerH layer) {
   OGR_L_ResetReading(layer);
   while (const OGRFeatureH next = OGR_L_GetNextFeature(layer)) {
     const std::unique_ptr<void, DestroyFeature> feature(next);
-    const int field = OGR_F_GetFieldIndex(next, layer_attribute);
+    const int field = OGR_F_GetFieldIndex(next, layer_of_drawing);
     if (field >= 0) names.insert(OGR_F_GetFieldAsString(next, field));
   }
   return {names.begin(), names.end()};

@@ -379,11 +379,13 @@ TEST_CASE("An export says which formats there are and which folders are results"
     CHECK(output.err.find(text) != std::string::npos);
   };
   refused("export r --to vtx", "--to: unknown format `vtx`, did you mean `vtk`?");
-  refused("export r --to shapefile",
-          "--to: unknown format `shapefile`, expected `asc`, `csv`, `dxf`, `geojson`, `gpkg`, `obj`, `tif` "
-          "or `vtk`");
+  refused(
+      "export r --to shapefile",
+      "--to: unknown format `shapefile`, expected `asc`, `csv`, `dxf`, `geojson`, `gltf`, `gpkg`, `hdf5`, "
+      "`obj`, `tif` or `vtk`");
   refused("export r",
-          "expected --to FORMAT: flyrock export DIR --to csv|vtk|obj|dxf|geojson|gpkg|asc|tif [-o PATH]");
+          "expected --to FORMAT: flyrock export DIR --to csv|hdf5|vtk|gltf|obj|dxf|geojson|gpkg|asc|tif [-o "
+          "PATH]");
   refused("export nowhere --to csv", "nowhere is not a result folder: it has no manifest.json");
   refused("report s.yaml", "s.yaml is not a result folder");
   CHECK(call(folder, "run s.yaml --shard 1/2 --quiet -o half").code == 0);

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cli/program.h"
 
@@ -43,6 +44,36 @@ void write_slope(const Folder& folder) {
   folder.write("slope.obj",
                "v 2600000 1200000 40\nv 2600080 1200000 0\nv 2600080 1200060 0\nv 2600000 1200060 40\nf 1 2 "
                "3\nf 1 3 4\n");
+}
+
+/// The corners of the slope.
+constexpr const char* slope_corners[] = {"2600000 1200000 40", "2600080 1200000 0", "2600080 1200060 0",
+                                         "2600000 1200060 40"};
+
+/// x, y and z of a corner of the slope as groups of a DXF file: 10, 20 and 30 of the first corner.
+std::string dxf_place(int corner, int of_entity) {
+  std::istringstream words(slope_corners[corner]);
+  std::string text, number;
+  for (int code = 10 + of_entity; words >> number; code += 10) text += fmt::format("{}\n{}\n", code, number);
+  return text;
+}
+
+std::string face_3d(const std::string& layer, const std::array<int, 4>& corners) {
+  std::string text = "0\n3DFACE\n8\n" + layer + "\n";
+  for (int i = 0; i < 4; ++i) text += dxf_place(corners[static_cast<std::size_t>(i)], i);
+  return text;
+}
+
+/// A polyface mesh of the slope; a negative corner begins an edge that is not drawn.
+std::string polyface(const std::string& layer, const std::vector<std::array<int, 3>>& faces) {
+  std::string text = fmt::format("0\nPOLYLINE\n8\n{}\n66\n1\n10\n0\n20\n0\n30\n0\n70\n64\n71\n4\n72\n{}\n",
+                                 layer, faces.size());
+  for (int corner = 0; corner < 4; ++corner)
+    text += fmt::format("0\nVERTEX\n8\n{}\n{}70\n192\n", layer, dxf_place(corner, 0));
+  for (const auto& face : faces)
+    text += fmt::format("0\nVERTEX\n8\n{}\n10\n0\n20\n0\n30\n0\n70\n128\n71\n{}\n72\n{}\n73\n{}\n", layer,
+                        face[0], face[1], face[2]);
+  return text + fmt::format("0\nSEQEND\n8\n{}\n", layer);
 }
 
 std::string closed(const std::string& ring) {
@@ -112,6 +143,20 @@ TEST_CASE("without the module of GDAL each layer is refused in one line with the
   }
 }
 
+TEST_CASE("without the module of GDAL a drawing as terrain is refused with the package and a conversion") {
+  if (has_module()) return;
+  const Folder folder;
+  folder.write("pit.dxf", "0\nEOF\n");
+  std::string text = scenario(soft_points, road_points, crest_points);
+  text.replace(text.find("slope.obj"), 9, "pit.dxf");
+  folder.write("s.yaml", text);
+  const Output check = call(folder, "check s.yaml");
+  INFO(check.err);
+  CHECK(check.code == 2);
+  CHECK(check.err.find("install its package flyrock-gdal") != std::string::npos);
+  CHECK(check.err.find("export its triangulation (3D faces) as OBJ") != std::string::npos);
+}
+
 TEST_CASE(
     "zones, releases and gates stop the same rocks at the same places, whatever the form of their layer") {
   if (!has_module()) return;
@@ -150,6 +195,142 @@ TEST_CASE(
   CHECK(worst_of(folder, "kml") < 1e-2);  // degrees, and back
   const Output check = call(folder, "check kml.yaml");
   CHECK(check.out.find("EPSG:4326 made EPSG:2056") != std::string::npos);
+}
+
+TEST_CASE("3D faces of a drawing are the ground of the same mesh, in whatever order their corners are") {
+  if (!has_module()) return;
+  const Folder folder;
+  write_slope(folder);
+  const std::string points = scenario(soft_points, road_points, crest_points);
+  folder.write("points.yaml", points);
+  REQUIRE(call(folder, "run points.yaml --quiet -o points").code == 0);
+  const auto run_drawing = [&](const std::string& name, const std::string& entities,
+                               const std::string& keys = "") {
+    folder.write(name + ".dxf", "0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n");
+    std::string text = points;
+    text.replace(text.find("slope.obj"), 9, name + ".dxf" + keys);
+    folder.write(name + ".yaml", text);
+    return worst_of(folder, name);
+  };
+  CHECK(run_drawing("faces", face_3d("PIT", {0, 1, 2, 2}) + face_3d("PIT", {0, 3, 2, 2})) < 1e-9);
+  CHECK(run_drawing("quad", face_3d("PIT", {3, 2, 1, 0})) < 1e-9);
+  CHECK(run_drawing("polyface", polyface("PIT", {{1, -3, 2}, {-1, 3, 4}})) < 1e-9);
+  const std::string below =
+      "0\n3DFACE\n8\nOLD\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n12\n0\n22\n1\n32\n0\n13\n0\n23\n1\n33\n0"
+      "\n";
+  CHECK(run_drawing("layers", below + face_3d("PIT", {0, 1, 2, 3}), ", surface: PIT") < 1e-9);
+}
+
+TEST_CASE("a drawing without 3D faces, or without a layer, says so; other entities are counted") {
+  if (!has_module()) return;
+  const Folder folder;
+  const std::string line = "0\nLINE\n8\nROAD\n10\n0\n20\n0\n30\n0\n11\n1\n21\n1\n31\n1\n";
+  const struct {
+    std::string entities, keys;
+    int code;
+    std::string expected;
+  } cases[] = {
+      {line, "", 2, "has no 3D faces, expected entities 3DFACE or a polyface mesh"},
+      {face_3d("PIT", {0, 1, 2, 3}), ", surface: PITT", 2, "has no layer `PITT`, it has `PIT`"},
+      {line + face_3d("PIT", {0, 1, 2, 3}), "", 0, "1 of its entities are no 3D faces and were left out"},
+  };
+  for (const auto& one : cases) {
+    folder.write("pit.dxf", "0\nSECTION\n2\nENTITIES\n" + one.entities + "0\nENDSEC\n0\nEOF\n");
+    std::string text = scenario(soft_points, road_points, crest_points);
+    text.replace(text.find("slope.obj"), 9, "pit.dxf" + one.keys);
+    folder.write("s.yaml", text);
+    const Output check = call(folder, "check s.yaml");
+    INFO(check.err);
+    CHECK(check.code == one.code);
+    CHECK(check.err.find(one.expected) != std::string::npos);
+  }
+}
+
+TEST_CASE("each value of an attribute is a zone or a gate of its own") {
+  if (!has_module()) return;
+  const Folder folder;
+  write_slope(folder);
+  write_site(folder);
+  const std::string near = "[[2600010, 1200000], [2600010, 1200060]]",
+                    far = "[[2600016, 1200000], [2600015, 1200060]]";
+  folder.write(
+      "lines.geojson",
+      R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::2056"}},"features":[)" +
+          feature("near", "LineString", near) + "," + feature("far", "LineString", far) + "," +
+          feature("soft", "Point", "[2600010, 1200000]") + "]}");
+  const auto with_gates = [&](const std::string& gates, const std::string& zones) {
+    std::string text = scenario(soft_points, road_points, crest_points);
+    text.replace(text.find("gates:"), text.find("stop:") - text.find("gates:"), "gates: [" + gates + "]\n");
+    const std::size_t from = text.find("[{ name: soft");
+    text.replace(from, text.find("],\n", from) + 1 - from, "[" + zones + "]");
+    return text;
+  };
+  const auto zone = [](const std::string& name, const std::string& polygon) {
+    return "{ name: " + name + ", polygon: " + polygon + " }";
+  };
+  const auto gate = [](const std::string& name, const std::string& line) {
+    return "{ name: " + name + ", line: " + line + " }";
+  };
+  std::string written =
+      with_gates(gate("at_near", near) + ", " + gate("at_far", far), zone("soft", soft_points));
+  folder.write("points.yaml", written);
+  REQUIRE(call(folder, "run points.yaml --quiet -o points").code == 0);
+  std::string each = with_gates(gate("at", "{ layer: lines.geojson, where: { number: 2 }, each: Layer }"),
+                                zone("is", "{ layer: site.geojson, where: { number: 1 }, each: Layer }"));
+  each.replace(each.find("{ soft: sand }"), 14, "{ is_soft: sand }");
+  folder.write("each.yaml", each + "expect: [{ measure: gate.at_far.passed, above: 0 }]\n");
+  const Output run = call(folder, "run each.yaml --quiet -o each");
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  const auto gates_of = [&](const std::string& out) {
+    return Json::parse(read(folder.path() / out / "summary.json"))["points"][0]["gates"];
+  };
+  CHECK(gates_of("each").size() == 2);
+  CHECK(gates_of("each") == gates_of("points"));
+  const auto said = [&](const std::string& text) {
+    folder.write("s.yaml", text);
+    return call(folder, "check s.yaml").err;
+  };
+  const auto has = [](const std::string& text, const std::string& piece) {
+    INFO(text);
+    CHECK(text.find(piece) != std::string::npos);
+  };
+  has(said(with_gates(gate("at", "{ layer: site.geojson, each: layer }"), zone("soft", soft_points))),
+      "has no attribute `layer`, did you mean `Layer`?");
+  has(said(scenario(soft_points, road_points, "{ layer: site.geojson, each: Layer }")),
+      "makes several zones, gates, barriers or exposures of one");
+}
+
+TEST_CASE("the attributes of a layer are a table: its joints are those of the same CSV") {
+  if (!has_module()) return;
+  const Folder folder;
+  std::string csv = "dip_deg,dip_direction_deg,note\n", features;
+  for (int i = 0; i < 24; ++i) {
+    const double dip = (i % 2 == 0 ? 70 : 30) + i % 5, direction = (i % 2 == 0 ? 180 : 95) - i % 7;
+    csv += fmt::format("{},{},set {}\n", dip, direction, i % 2);
+    features += fmt::format(
+        R"({}{{"type":"Feature","properties":{{"dip_deg":{},"dip_direction_deg":{},"note":"set {}"}},"geometry":{}}})",
+        i == 0 ? "" : ",", dip, direction, i % 2,
+        i % 3 == 0 ? "null" : R"({"type":"Point","coordinates":[8.5,47.1]})");
+  }
+  folder.write("survey.csv", csv);
+  folder.write("survey.geojson", R"({"type":"FeatureCollection","features":[)" + features + "]}");
+  REQUIRE(call(folder, "joints survey.csv -o csv").code == 0);
+  const Output joints = call(folder, "joints survey.geojson -o layer");
+  INFO(joints.err);
+  REQUIRE(joints.code == 0);
+  const auto sets_of = [&](const std::string& out) {
+    return Json::parse(read(folder.path() / out / "joints.json"))["sets"];
+  };
+  CHECK(sets_of("csv").size() == 2);
+  CHECK(sets_of("layer") == sets_of("csv"));
+  folder.write("bad.geojson",
+               R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"dip_deg":100,)"
+               R"("dip_direction_deg":20},"geometry":null}]})");
+  const Output refused = call(folder, "joints bad.geojson -o bad");
+  CHECK(refused.code == 2);
+  CHECK(refused.err.find("bad.geojson#bad:2") != std::string::npos);
+  CHECK(refused.err.find("expected 0 to 90 deg") != std::string::npos);
 }
 
 TEST_CASE("a layer that fits not says why, and what to write") {

@@ -59,7 +59,7 @@ TEST_CASE("bash completes commands, options, files, plugins and labs") {
   CHECK(offered(folder, {"flyrock", "run", "slope.yaml", "-o", "sl"}) == Words{"slopes/"});
   CHECK(offered(folder, {"flyrock", "run", "slope.yaml", "--trials", ""}).empty());
   CHECK(offered(folder, {"flyrock", "export", "slopes", "--to", ""}) ==
-        Words{"asc", "csv", "dxf", "geojson", "gpkg", "obj", "tif", "vtk"});
+        Words{"asc", "csv", "dxf", "geojson", "gltf", "gpkg", "hdf5", "obj", "tif", "vtk"});
   CHECK(offered(folder, {"flyrock", "law", "restitution/new"}) == Words{"restitution/newton"});
   CHECK(offered(folder, {"flyrock", "course", "bounc"}) == Words{"bouncing_ball"});
   CHECK(offered(folder, {"flyrock", "grade", "slope.yaml", "--with", "bounc"}) == Words{"bouncing_ball"});

@@ -96,7 +96,8 @@ TEST_CASE("of several surfaces of a LandXML file, `surface` names the ground") {
   CHECK(std::get<Mesh>(survey_of("mesh", file.path, {{"surface", "pit & berm"}}).shape).triangles.size() ==
         sheet.mesh().triangles.size());
   CHECK(survey_error("mesh", TemporaryFile("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"),
-                     {{"surface", "a"}}) == " `surface` names one of LandXML (.xml)");
+                     {{"surface", "a"}}) ==
+        " `surface` names one of LandXML (.xml), or a layer of a drawing (.dxf)");
 }
 
 TEST_CASE("a LandXML file that is cut at any byte is refused") {

@@ -81,12 +81,12 @@ class SheetFiles : public Kind {
   Dictionary dictionary_ = make_dictionary(LuaSession(share_folder()).registry());
 };
 
-/// Layers of a zone and clouds of points whose bytes are damaged.
+/// Layers of a zone, 3D faces of a drawing and clouds of points, whose bytes are damaged.
 class LayerFiles : public Kind {
  public:
   void attempt(Dice& dice, Calls& call) override {
-    const std::size_t form = dice.below(5);
-    static constexpr const char* endings[] = {"geojson", "dxf", "kml", "las", "xyz"};
+    const std::size_t form = dice.below(6);
+    static constexpr const char* endings[] = {"geojson", "dxf", "kml", "las", "xyz", "dxf"};
     const std::string file = fmt::format("site.{}", endings[form]);
     std::string bytes =
         form == 0   ? geojson
@@ -94,22 +94,24 @@ class LayerFiles : public Kind {
         : form == 2 ? kml
         : form == 3
             ? las_files::las_of(survey(), {dice.one_in(2) ? 4 : 2, dice.one_in(2) ? 6 : 0, 30, 2056, 9001})
-            : xyz();
+        : form == 4 ? xyz()
+                    : faces();
     form == 3 || dice.one_in(2) ? mutate_bytes(bytes, dice) : mutate_text(bytes, dictionary_, dice);
     write_here(file, bytes);
     write_here("slope.obj",
                "v 2600000 1200000 40\nv 2600080 1200000 0\nv 2600080 1200060 0\nv 2600000 1200060 40\n"
                "f 1 2 3\nf 1 3 4\n");
-    const bool is_cloud = form >= 3;
+    const bool is_cloud = form == 3 || form == 4, is_ground = form >= 3;
     write_here(
         "s.yaml",
         "flyrock: 1\ndimension: 3\nmethod: lumped_mass\nterrain: { " +
-            (is_cloud
-                 ? "type: points, file: " + file + ", " +
-                       (dice.one_in(2) ? "cell: 2 m, max_gap: 4 m" : "triangulate: true, max_gap: 4 m")
+            (is_cloud ? "type: points, file: " + file + ", " +
+                            (dice.one_in(2) ? "cell: 2 m, max_gap: 4 m" : "triangulate: true, max_gap: 4 m")
+             : is_ground
+                 ? "type: mesh, file: " + file
                  : "type: mesh, file: slope.obj, crs: EPSG:2056, zones: [{ name: soft, polygon: { layer: " +
                        file + " } }]") +
-            ", material: rock" + (is_cloud ? "" : ", materials: { soft: rock }") +
+            ", material: rock" + (is_ground ? "" : ", materials: { soft: rock }") +
             " }\nmaterials: { rock: { restitution: { type: newton, en: 0.3 }, friction: { type: coulomb, mu: "
             "0.5 } } }\n"
             "rocks: [{ name: r, density: 2700, shape: { type: sphere, radius: 0.3 }, release: { x: 2600004, "
@@ -132,6 +134,23 @@ class LayerFiles : public Kind {
     for (const las_files::LasPoint& point : survey())
       text += fmt::format("{} {} {}\n", point.place.x(), point.place.y(), point.place.z());
     return text;
+  }
+
+  /// The slope as two faces and a polyface mesh of two more.
+  static std::string faces() {
+    const auto place = [](int code, double x, double y, double z) {
+      return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n", code, x, code + 10, y, code + 20, z);
+    };
+    std::string text = "0\nSECTION\n2\nENTITIES\n";
+    for (const double x : {2600000., 2600040.})
+      text += "0\n3DFACE\n8\nPIT\n" + place(10, x, 1200000, 20) + place(11, x + 40, 1200000, 10) +
+              place(12, x + 40, 1200060, 10) + place(13, x, 1200060, 20);
+    text += "0\nPOLYLINE\n8\nPIT\n66\n1\n70\n64\n71\n4\n72\n1\n" + place(10, 0, 0, 0);
+    for (const double x : {2600080., 2600120.})
+      for (const double y : {1200000., 1200060.})
+        text += "0\nVERTEX\n8\nPIT\n70\n192\n" + place(10, x, y, 10);
+    return text + "0\nVERTEX\n8\nPIT\n70\n128\n71\n1\n72\n3\n73\n4\n74\n2\n" + place(10, 0, 0, 0) +
+           "0\nSEQEND\n8\nPIT\n0\nENDSEC\n0\nEOF\n";
   }
 
   static constexpr const char* geojson =

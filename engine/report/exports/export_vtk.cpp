@@ -7,6 +7,7 @@
 #include "files/safe_file.h"
 #include "report/exports/export_obj.h"
 #include "report/exports/vtk_file.h"
+#include "report/exports/vtk_ground.h"
 #include "report/exports/vtk_meshes.h"
 #include "report/exports/vtk_shapes.h"
 #include "report/tables/sqlite.h"
@@ -111,51 +112,6 @@ void write_series(const fs::path& index, const std::vector<StoredPath>& paths, c
   });
 }
 
-/// One line for each segment, because each segment has its own part.
-VtkPoints profile_lines(const SqliteReader& database, std::int64_t point) {
-  Query row(database,
-            fmt::format("SELECT x_m, y_m, part FROM ground WHERE point = {} ORDER BY rowid", point));
-  VtkPoints lines;
-  VtkArray parts{"part", {}};
-  Vec3 before = Vec3::Zero();
-  for (bool first = true; row.next(); first = false) {
-    const Vec3 place(row.real(0), row.real(1), 0);
-    if (!first) {
-      lines.points.insert(lines.points.end(), {before, place});
-      lines.line_ends.push_back(lines.points.size());
-    }
-    if (row.type(2) != SQLITE_NULL) parts.values.push_back(row.real(2));
-    before = place;
-  }
-  lines.of_cells = {std::move(parts)};
-  return lines;
-}
-
-VtkPoints ground_triangles(const SqliteReader& database, std::int64_t ground) {
-  VtkPoints surface;
-  VtkArray parts{"part", {}};
-  Query vertex(
-      database,
-      fmt::format("SELECT x_m, y_m, z_m FROM ground_vertices WHERE ground = {} ORDER BY rowid", ground));
-  while (vertex.next()) surface.points.emplace_back(vertex.real(0), vertex.real(1), vertex.real(2));
-  Query triangle(
-      database,
-      fmt::format("SELECT a, b, c, part FROM ground_triangles WHERE ground = {} ORDER BY rowid", ground));
-  while (triangle.next()) {
-    for (const int corner : {0, 1, 2}) surface.corners.push_back(triangle.whole(corner));
-    surface.polygon_ends.push_back(surface.corners.size());
-    parts.values.push_back(triangle.real(3));
-  }
-  surface.of_cells = {std::move(parts)};
-  return surface;
-}
-
-void write_ground(const fs::path& file, const SqliteReader& database, std::int64_t point,
-                  const std::string& crs) {
-  const std::optional<std::int64_t> ground = stored_ground(database, point);
-  write_vtp(file, ground ? ground_triangles(database, *ground) : profile_lines(database, point), crs);
-}
-
 }  // namespace
 
 std::vector<fs::path> export_vtk(const fs::path& results, const fs::path& folder) {
@@ -185,7 +141,7 @@ std::vector<fs::path> export_vtk(const fs::path& results, const fs::path& folder
       write_network(files.back(), end_of(paths), contacts, crs);
     }
     files.push_back(folder / fmt::format("ground-p{}.vtp", point));
-    write_ground(files.back(), database, point, crs);
+    write_vtp(files.back(), stored_ground_surface(database, point), crs);
   }
   return files;
 }

@@ -142,12 +142,12 @@ std::string drawn_links(const std::vector<StoredLink>& links, const Stage& stage
   return out;
 }
 
-/// An arrow from `tail` to `tip` as one line, in pixels.
-std::string arrow(const Vec2& tail, const Vec2& tip) {
-  const Vec2 along = tip - tail, across(-along.y(), along.x());
+/// An arrow from `from` to `tip` as one line, in pixels.
+std::string arrow(const Vec2& from, const Vec2& tip) {
+  const Vec2 along = tip - from, across(-along.y(), along.x());
   const double head = std::min(0.25, 8 / std::max(along.norm(), 1e-9));
   const Vec2 back = tip - head * along;
-  return points_of({tail, tip, Vec2(back + 0.5 * head * across), tip, Vec2(back - 0.5 * head * across)});
+  return points_of({from, tip, Vec2(back + 0.5 * head * across), tip, Vec2(back - 0.5 * head * across)});
 }
 
 /// What an arrow or a line of the greatest size is [N]; 0 without forces. Arrows have one scale for the run,

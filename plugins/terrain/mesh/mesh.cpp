@@ -58,10 +58,13 @@ class MeshTerrain : public SurveyedTerrain {
   }
 
   TerrainShape3 build_3d(Values values, RandomStream&) const override {
-    const bool is_landxml = lower(file_).ends_with(".xml");
-    if (!is_landxml && !surface_.empty())
-      throw PluginError(fmt::format("plugin mesh: {}: `surface` names one of LandXML (.xml)", file_));
-    MeshFile read = is_landxml ? read_landxml("mesh", file_, surface_) : read_mesh("mesh", file_, parts_);
+    const bool is_landxml = lower(file_).ends_with(".xml"), is_drawing = lower(file_).ends_with(".dxf");
+    if (!is_landxml && !is_drawing && !surface_.empty())
+      throw PluginError(fmt::format(
+          "plugin mesh: {}: `surface` names one of LandXML (.xml), or a layer of a drawing (.dxf)", file_));
+    MeshFile read = is_landxml   ? read_landxml("mesh", file_, surface_)
+                    : is_drawing ? read_dxf("mesh", file_, surface_)
+                                 : read_mesh("mesh", file_, parts_);
     if (is_landxml && y_is_up_)
       throw PluginError(fmt::format("plugin mesh: {}: in LandXML z is the height, leave `up` out", file_));
     if (read.unit > 0 && values[scale_] != 1)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -27,15 +28,27 @@ bool is_convex_face(const std::vector<Vec3>& vertices, const std::vector<int>& f
 
 /// What to do with a file of another format.
 std::string way_to_obj(const std::string& ending) {
-  if (ending == ".dxf" || ending == ".dwg")
-    return "is a drawing of CAD: export its triangulation (3D faces) as OBJ, with three decimals or more";
+  if (ending == ".dxf")
+    return "is a drawing of CAD: export its 3D faces as OBJ, with three decimals or more; only a terrain "
+           "reads "
+           "them as DXF";
+  if (ending == ".dwg")
+    return "is a drawing of CAD in a format of one program: save it as DXF, of which a terrain reads the 3D "
+           "faces, or export them as OBJ, with three decimals or more";
   if (ending == ".las" || ending == ".laz" || ending == ".xyz" || ending == ".e57" || ending == ".pts")
     return "is a cloud of points: make a grid (GeoTIFF, .asc) for the terrain `raster` of it, or triangles "
            "(OBJ)";
-  return "expected a file whose name ends in .obj, .ply or .stl; of a terrain also .xml (LandXML)";
+  return "expected a file whose name ends in .obj, .ply or .stl; of a terrain also .xml (LandXML) or .dxf";
 }
 
 }  // namespace
+
+std::string part_name(std::string name) {
+  name.resize(name.find_last_not_of(" \t\r") + 1);
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-') c = '_';
+  return name;
+}
 
 std::string add_fan(MeshFile& file, const std::vector<int>& face, int line) {
   const std::size_t count = face.size();

@@ -45,6 +45,15 @@ MeshFile read_ply(const std::string& plugin, const std::string& path);
 /// PluginError with the line.
 MeshFile read_landxml(const std::string& plugin, const std::string& path, const std::string& surface);
 
+/// Reads the 3D faces of a DXF file through the module flyrock_gdal.so; its layers are parts. `layer`: the
+/// only one to read; empty: all. Its triangles look up as surfaces with a border, and outwards as closed
+/// ones. Throws PluginError with the number of the entity.
+MeshFile read_dxf(const std::string& plugin, const std::string& path, const std::string& layer);
+
+/// A part's name from that of a group or layer: a character other than a letter, digit, `_` or `-` becomes
+/// `_`.
+std::string part_name(std::string name);
+
 /// Appends a convex face of three corners or more as a fan of triangles of the line `line` (0: the file has
 /// no lines). The parts of the triangles are left to the caller. Returns what is wrong with the face; empty:
 /// nothing.

@@ -132,14 +132,6 @@ class CheckedLines : public std::streambuf {
   int vertices_ = 0;
 };
 
-/// A part's name from that of a group.
-std::string part_name(std::string name) {
-  name.resize(name.find_last_not_of(" \t\r") + 1);
-  for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-') c = '_';
-  return name;
-}
-
 /// What the callbacks fill.
 struct Reading {
   /// The names of one kind, and the name of each triangle.
