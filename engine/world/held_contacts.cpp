@@ -34,52 +34,62 @@ HeldContact held_contact(const WorldContact<D>& c) {
 
 }  // namespace
 
-/// Keeps the contacts, detected in the middle of a step, whose features were closed at its start. A contact
-/// that closed since then is a touch at which the step must be cut. A contact whose features have changed,
-/// but not its position, was closed. A new feature pair that starts deeper than one step can push it was not
-/// touching before, unless a search at the start finds the depth, too: drop it. A contact that is carried on
-/// by its neighbour, as a vertex that slides from one side of a valley to the other, touches where it closes
-/// by more than drift would. Springs are left out of the share, because they penetrate by design.
+/// Keeps the contacts, detected in the middle of a step, that enter its problem, and measures their drift.
+/// Springs are left out of its share, because they penetrate by design; so are late contacts, which arrive.
 template <int D>
 typename World<D>::Drift World<D>::keep_closed_at_start(double h) {
+  constexpr double most_drift = 5e-5;  // of the size
   Drift drift;
   std::erase_if(contacts_, [&](Contact& c) {
-    c.late = has_same(late_, c);
-    if (c.late) return false;
-    const double size = contact_size(c.candidate, c.antagonist);
-    const double reach = carry_reach(c.candidate, c.antagonist);
-    const double in_middle = reach_in_middle(c.candidate, c.antagonist);
-    const double closed_alone = touch(c.candidate, c.antagonist);
     const double gap = gap_at(c, true);
-    if (settles(c, gap, h)) {
-      c.late = true;
-      return false;
-    }
-    // One that the last impact opened may close again at once; the search for touches takes it for closed.
-    const bool is_near = gap > closed_alone && gap <= apart_share * size;
-    const double closed = c.carried || (is_near && has_same(last_, c)) ? reach : closed_alone;
-    const double may_drift = 3 * in_middle;
-    if (c.at.gap > in_middle || gap > closed || (!c.carried && gap < -may_drift && !is_deep(c, gap, true)))
-      return true;
-    // One that the last impact opened and that is apart in the middle is held if it will come back so slowly
-    // that it stays; else it is left to first_touch, and collides where it returns.
-    const bool yields = c.law.condition == NormalCondition::penalty;
-    const bool is_apart = c.at.gap > std::max(gap, 0.0) + step_share * size;
-    if (!yields && is_apart && opened(c) > settings_.rest_speed) return true;
-    if (c.carried && !has_same(last_, c) && gap - c.at.gap > 3 * reach_within(h, c.candidate, c.antagonist) &&
-        gap > closed_alone)
-      return true;
+    if (!enters_step(c, gap, h)) return true;
+    if (c.late) return false;
     // On the next segment of the terrain, the gap at the start is measured to the line beyond the end of the
     // segment. The larger of the two gaps is therefore the true one.
     drift.penetration = std::max(drift.penetration, -std::max(gap, c.at.gap));
+    if (c.law.condition == NormalCondition::penalty) return false;
     // A chosen step may be so long that the drift of bodies on others would be seen as overlap.
-    constexpr double most_drift = 5e-5;  // of the size
-    const double most =
-        chooses_steps() && c.antagonist >= 0 ? std::min(may_drift, most_drift * size) : may_drift;
-    if (!yields) drift.share = std::max(drift.share, (std::min(gap, 0.0) - c.at.gap) / most);
+    double most = may_drift(c);
+    if (chooses_steps() && c.antagonist >= 0)
+      most = std::min(most, most_drift * contact_size(c.candidate, c.antagonist));
+    drift.share = std::max(drift.share, (std::min(gap, 0.0) - c.at.gap) / most);
     return false;
   });
   return drift;
+}
+
+/// How far a held contact may drift in one step [m].
+template <int D>
+double World<D>::may_drift(const Contact& c) const {
+  return 3 * reach_in_middle(c.candidate, c.antagonist);
+}
+
+/// Whether a contact that is detected in the middle of a step enters its problem. `gap` [m]: of its features
+/// at the start. It does if they were closed there; those that join it late are told as `late`. A contact
+/// that closed since then is a touch at which the step must be cut. A contact whose features have changed,
+/// but not its position, was closed. A new feature pair that starts deeper than one step can push it was not
+/// touching before, unless a search at the start finds the depth, too: it does not enter. A contact that is
+/// carried on by its neighbour, as a vertex that slides from one side of a valley to the other, touches where
+/// it closes by more than drift would.
+template <int D>
+bool World<D>::enters_step(Contact& c, double gap, double h) {
+  c.late = has_same(late_, c) || settles(c, gap, h);
+  if (c.late) return true;
+  const double size = contact_size(c.candidate, c.antagonist);
+  const double closed_alone = touch(c.candidate, c.antagonist);
+  // One that the last impact opened may close again at once; the search for touches takes it for closed.
+  const bool is_near = gap > closed_alone && gap <= apart_share * size;
+  const double closed =
+      c.carried || (is_near && has_same(last_, c)) ? carry_reach(c.candidate, c.antagonist) : closed_alone;
+  if (c.at.gap > reach_in_middle(c.candidate, c.antagonist) || gap > closed) return false;
+  if (!c.carried && gap < -may_drift(c) && !is_deep(c, gap, true)) return false;
+  // One that the last impact opened and that is apart in the middle is held if it will come back so slowly
+  // that it stays; else it is left to first_touch, and collides where it returns.
+  const bool yields = c.law.condition == NormalCondition::penalty;
+  const bool is_apart = c.at.gap > std::max(gap, 0.0) + step_share * size;
+  if (!yields && is_apart && opened(c) > settings_.rest_speed) return false;
+  return !c.carried || has_same(last_, c) || gap <= closed_alone ||
+         gap - c.at.gap <= 3 * reach_within(h, c.candidate, c.antagonist);
 }
 
 /// Whether places of two close bodies that are within `slop` of each other at the start of the step come

@@ -343,8 +343,10 @@ class World {
   void start_from_last_try(double h, double before);
   Outcome dense_step(double h);
 
-  // held_contacts.cpp: which contacts a step holds, and what the search for touches knows of them
+  // held_contacts.cpp: which contacts a step solves, and what the search for touches knows of them
   Drift keep_closed_at_start(double h);
+  bool enters_step(Contact& contact, double gap, double h);
+  double may_drift(const Contact& contact) const;
   double opened(const Contact& contact) const;
   bool settles(const Contact& contact, double gap, double h) const;
   bool is_deep(const Contact& contact, double gap, bool at_start);
