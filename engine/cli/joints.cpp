@@ -129,6 +129,8 @@ std::optional<std::vector<SurveyedPlane>> read_survey(const std::string& path) {
     const auto trend = number(row, "scanline_trend", 0, 360 * deg);
     const auto plunge = number(row, "scanline_plunge", -90 * deg, 90 * deg);
     if (trend) plane.scanline = line_of(*trend, plunge.value_or(0));
+    if (plunge && !trend)
+      diagnostics.error(table->at(row, "scanline_plunge"), "", "`scanline_plunge` needs `scanline_trend`");
     plane.weight = table->number(row, "weight").value_or(1);
     plane.trace = table->number(row, "trace_length");
     if (plane.trace && !(*plane.trace > 0))

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -51,7 +52,8 @@ std::shared_ptr<Source> text_of(const std::string& file, const std::string& byte
 TableText read_table_text(const std::string& path) {
   const SheetName name = sheet_name(path);
   std::ifstream stream(name.file, std::ios::binary);
-  if (!stream) throw TableTextFault(fmt::format("cannot read the file {}", name.file), nullptr, 0);
+  if (!stream || std::filesystem::is_directory(name.file))
+    throw TableTextFault(fmt::format("cannot read the file {}", name.file), nullptr, 0);
   const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
   if (bytes.empty()) refuse(name.file, "is empty");
   const bool is_sheet = is_workbook(bytes);

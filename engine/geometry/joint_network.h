@@ -42,7 +42,7 @@ struct Joint {
 };
 
 /// The joints of a set that may meet a region with these corners: planes in the order of d, discs in falling
-/// order of their radius. At `most_places` the list is cut off.
+/// order of their radius. Throws std::length_error if they are more than `most_places` (random/spacings.h).
 template <int D>
 std::vector<Joint<D>> draw_joints(const JointSet<D>& set, int index, const std::vector<Vec<D>>& corners,
                                   RandomStream& rng);

@@ -1,6 +1,7 @@
 #include "random/spacings.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace flyrock {
 
@@ -35,15 +36,15 @@ std::vector<double> places_with_spacing(const Distribution& law, std::optional<d
     before = first - gap;
   }
   std::vector<double> places;
-  const auto keep = [&](double place) {
+  std::size_t count = 0;
+  const auto meet = [&](double place) {
+    if (++count > most_places) throw std::length_error("too many places");
     if (place >= low && place <= high) places.push_back(place);
   };
-  std::size_t count = 0;
-  for (double place = origin ? first - draw(law, rng) : before; place >= low && ++count < most_places;
-       place -= draw(law, rng))
-    keep(place);
+  for (double place = origin ? first - draw(law, rng) : before; place >= low; place -= draw(law, rng))
+    meet(place);
   std::reverse(places.begin(), places.end());
-  for (double place = first; place <= high && ++count < most_places; place += draw(law, rng)) keep(place);
+  for (double place = first; place <= high; place += draw(law, rng)) meet(place);
   return places;
 }
 

@@ -108,6 +108,12 @@ TEST_CASE("a survey that cannot be read is refused in one line with its place, a
         "error: few.csv: fewer than 3 planes are left, expected more\n");
   CHECK(call(folder, "joints steep.csv --face 70/180")
             .err.find("--face and --friction: expected both or none") != std::string::npos);
+  folder.write("line.csv", "dip_deg,dip_direction_deg,scanline_plunge_deg\n40,90,5\n50,90,5\n60,90,5\n");
+  CHECK(call(folder, "joints line.csv -o out")
+            .err.find("line.csv:2:7: error: `scanline_plunge` needs `scanline_trend`") != std::string::npos);
+  const Output of_folder = call(folder, "joints . -o out");
+  CHECK(of_folder.code == 2);
+  CHECK(of_folder.err == "error: cannot read the file .\n");
   CHECK_FALSE(folder.has("out"));
 }
 

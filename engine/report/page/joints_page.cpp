@@ -22,12 +22,14 @@ std::string name_of_set(std::size_t set) { return fmt::format("set_{}", set + 1)
 
 std::string degrees(double angle) { return fmt::format("{:.1f}", angle * deg); }
 
-std::string estimate_text(const Estimate& estimate, double factor = 1) {
-  return fmt::format("{} ({} to {})", three_digits(factor * estimate.value),
-                     three_digits(factor * estimate.low), three_digits(factor * estimate.high));
+std::string estimate_text(const Estimate& estimate) {
+  return fmt::format("{} ({} to {})", three_digits(estimate.value), three_digits(estimate.low),
+                     three_digits(estimate.high));
 }
 
-std::string share_text(const Estimate& share) { return estimate_text(share, 100) + " %"; }
+std::string share_text(const Estimate& share) {
+  return fmt::format("{:.1f} ({:.1f} to {:.1f}) %", 100 * share.value, 100 * share.low, 100 * share.high);
+}
 
 Json data_of(const Estimate& estimate) {
   return {{"value", estimate.value}, {"interval", {estimate.low, estimate.high}}};

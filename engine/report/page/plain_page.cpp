@@ -12,7 +12,9 @@ constexpr const char* page_style =
     "body{max-width:1000px;margin:0 auto;padding:24px;font:16px/1.5 system-ui,\"DejaVu Sans\",sans-serif;"
     "color:#1a1d21}h1{font-size:26px}h2{font-size:20px;border-top:1px solid #d5dae0;padding-top:12px}"
     ".note{color:#5a6370;font-size:14px}table{border-collapse:collapse;margin:8px 0}td,th{border:1px solid "
-    "#d5dae0;padding:2px 10px;text-align:left;overflow-wrap:anywhere}svg{max-width:100%;height:auto}";
+    "#d5dae0;padding:2px "
+    "10px;text-align:left;overflow-wrap:anywhere}th,td:first-child{overflow-wrap:normal}svg{max-width:100%;"
+    "height:auto}";
 
 }  // namespace
 

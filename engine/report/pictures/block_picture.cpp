@@ -129,7 +129,7 @@ std::string blocks_svg(const FirstBlocks& blocks, int dimension) {
         "<rect x=\"{:.0f}\" y=\"{:.1f}\" width=\"11\" height=\"11\" fill=\"{}\" stroke=\"#222\"/>"
         "<text x=\"{:.0f}\" y=\"{:.1f}\">{}</text>\n",
         x, height - legend + 6, one.colour, x + 15, height - legend + 16, one.name);
-    x += 88;
+    x += 30 + 6.5 * static_cast<double>(std::string_view(one.name).size());
   }
   return svg + "</svg>\n";
 }

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "random/stream.h"
+#include "results/statistics/share.h"
 
 namespace flyrock {
 
@@ -32,6 +33,24 @@ double quantile_of_draws(std::vector<double>& numbers, double share) {
 Estimate estimate(double value, std::vector<double> again) {
   if (again.empty()) return {value, value, value};
   return {value, quantile_of_draws(again, bootstrap_tail), quantile_of_draws(again, 1 - bootstrap_tail)};
+}
+
+/// So many planes of equal weight say as much (Kish).
+double effective_number(const std::vector<double>& weights) {
+  double sum = 0, squares = 0;
+  for (const double weight : weights) {
+    sum += weight;
+    squares += weight * weight;
+  }
+  return sum * sum / squares;
+}
+
+/// A share of n independent planes or pairs of planes. Where all agree, the draws of the bootstrap are alike
+/// and know nothing of those that were not met: then the exact interval holds.
+Estimate share_of_draws(double value, const std::vector<double>& again, double n) {
+  if (value > 0 && value < 1) return estimate(value, again);
+  const Interval exact = share_interval(value * n, n, 1 - 2 * bootstrap_tail);
+  return {value, exact.lower, exact.upper};
 }
 
 /// How often each of n planes is drawn in draw `number` of the bootstrap.
@@ -208,8 +227,10 @@ JointSurvey survey_of(const std::vector<SurveyedPlane>& planes, const SurveyOpti
   survey.rest = estimate(survey.mixture.rest, rest);
   if (shares) {
     const std::array<double, 3> found = shares->of(survey.poles.weights);
-    survey.hazards = KinematicShares{estimate(found[0], hazards[0]), estimate(found[1], hazards[1]),
-                                     estimate(found[2], hazards[2])};
+    const double independent = effective_number(survey.poles.weights);
+    survey.hazards = KinematicShares{share_of_draws(found[0], hazards[0], independent),
+                                     share_of_draws(found[1], hazards[1], independent / 2),
+                                     share_of_draws(found[2], hazards[2], independent)};
   }
   return survey;
 }

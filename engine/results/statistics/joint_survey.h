@@ -51,7 +51,9 @@ struct SurveyedSet {
   std::optional<Estimate> trace;
 };
 
-/// Shares of the planes, and of the pairs of planes, that could let the face fail.
+/// Shares of the planes, and of the pairs of planes, that could let the face fail. If none does or all do,
+/// the interval is that of Clopper and Pearson for the effective number of planes (of pairs: half of it,
+/// because so many pairs share no plane): the draws of the bootstrap are all alike then.
 struct KinematicShares {
   Estimate plane, wedge, toppling;
 };

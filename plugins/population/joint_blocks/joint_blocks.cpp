@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "geometry/hull.h"
 #include "geometry/joint_network.h"
@@ -66,6 +67,7 @@ class Quarry {
         notch_(params.region().empty() ? terrain.notch() : std::nullopt),
         rock_(region_of<D>(corners_of_region<D>(params, notch_))) {
     corners_ = rock_.points();
+    surface_ = rock_.blocks().front();
     crest_ = -infinite;
     for (const Vec<D>& p : corners_) crest_ = std::max(crest_, p[D - 1]);
     region_->volume = volume_of<D>(corners_, rock_.blocks().front());
@@ -81,12 +83,7 @@ class Quarry {
       cut(joint, params_.name_of_measured(joint.set));
     const auto sets = params_.sets(values_, terrain_.north());
     for (std::size_t s = 0; s < sets.size(); ++s) {
-      const auto joints = draw_joints(sets[s], static_cast<int>(s), corners_, rng_);
-      if (joints.size() >= most_places)
-        refuse(
-            fmt::format("the spacing of `{}` gives more than {} joints in the region, expected a wider one",
-                        sets[s].name, most_places));
-      for (const Joint<D>& joint : joints) cut(joint, sets[s].name);
+      for (const Joint<D>& joint : joints_of(sets[s], static_cast<int>(s))) cut(joint, sets[s].name);
       region_->joint_count += 1 / mean_of(*sets[s].spacing);
     }
     if (rock_.blocks().size() > params_.most_blocks(values_)) refuse_number(sets.size());
@@ -94,8 +91,24 @@ class Quarry {
   }
 
  private:
+  std::vector<Joint<D>> joints_of(const JointSet<D>& set, int index) {
+    try {
+      return draw_joints(set, index, corners_, rng_);
+    } catch (const std::length_error&) {
+      refuse(
+          fmt::format("the spacing of `{}` gives more than {} joints in the region{}, expected a wider one",
+                      set.name, most_places,
+                      set.origin   ? " or between it and its `origin`"
+                      : set.radius ? " with this `radius`"
+                                   : ""));
+    }
+  }
+
+  /// Whether so many blocks are cut that the region is refused, and the rest of the joints need not cut it.
+  bool is_hopeless() const { return rock_.blocks().size() > 4 * params_.most_blocks(values_); }
+
   void cut(const Joint<D>& joint, const std::string& name) {
-    if (rock_.blocks().size() > 20 * params_.most_blocks(values_)) return;  // refused in the end
+    if (is_hopeless()) return;
     const int index = static_cast<int>(region_->joints.size());
     if (cut_by(rock_, joint, index, rng_) == 0) return;
     region_->joints.push_back(name);
@@ -103,13 +116,19 @@ class Quarry {
   }
 
   [[noreturn]] void refuse_number(std::size_t sets) {
-    const double many = static_cast<double>(rock_.blocks().size());
-    const double times = std::pow(many / static_cast<double>(params_.most_blocks(values_)),
+    const std::size_t most = params_.most_blocks(values_), many = rock_.blocks().size();
+    const double times = std::pow(static_cast<double>(many) / static_cast<double>(most),
                                   1.0 / static_cast<double>(std::clamp<std::size_t>(sets, 1, D)));
-    refuse(fmt::format(
-        "{} joints cut the region into {} blocks or more, `most_blocks` is {}: spacings {:.1f} times as "
-        "wide would do, or a smaller region, or a greater `most_blocks`",
-        region_->planes, many, params_.most_blocks(values_), std::ceil(10 * times) / 10));
+    std::string advice = "fewer planes would do";
+    if (sets > 0 && is_hopeless())
+      advice = fmt::format("it needs spacings more than {:.1f} times as wide", std::floor(10 * times) / 10);
+    else if (sets > 0)
+      advice = fmt::format("spacings {:.1f} times as wide would do", std::ceil(10 * times) / 10);
+    refuse(
+        fmt::format("{}{} joints cut the region into {} blocks, `most_blocks` is {}: {}, or a smaller "
+                    "region, or a greater "
+                    "`most_blocks`",
+                    is_hopeless() ? "the first " : "", region_->planes, many, most, advice));
   }
 
   /// Its corners, moved a little to its inside, lie above the ground.
@@ -122,6 +141,19 @@ class Quarry {
           refuse(fmt::format("`region` lies {:.3g} m in the ground at {}", depth,
                              place_text(rock_.points()[p])));
       }
+  }
+
+  /// The place of a bolt lies in the region, or so near that it is a rounded place on its surface.
+  void refuse_outside(const Vec<D>& at) const {
+    constexpr double rounded = 0.01;  // of the region
+    double out = -infinite;
+    for (const BlockFace<D>& face : surface_.faces)
+      out = std::max(out, face.normal.dot(at - corners_[static_cast<std::size_t>(face.loop[0])]));
+    if (out > rounded * rock_.size())
+      refuse(fmt::format(
+          "the bolt at {} lies {:.3g} m outside of the region, expected a place in the block that it "
+          "holds",
+          place_text(at), out));
   }
 
   std::vector<RockPlan<D>> plans() {
@@ -148,8 +180,10 @@ class Quarry {
       rock.block = blocks.back();
     }
     if (rocks.empty()) refuse("all blocks are smaller than `least_volume`");
-    for (const auto& bolt : params_.bolts(values_, terrain_.north()))
+    for (const auto& bolt : params_.bolts(values_, terrain_.north())) {
+      refuse_outside(bolt.at);
       nearest_block(rocks, blocks, bolt.at).pull += bolt.force;
+    }
     return rocks;
   }
 
@@ -239,6 +273,7 @@ class Quarry {
   const std::optional<TerrainView::Notch> notch_;
   CutBlocks<D> rock_;
   std::vector<Vec<D>> corners_;
+  Block<D> surface_;  ///< the region before it is cut
   double crest_ = 0;
   Vec<D> outward_ = Vec<D>::Zero();  ///< out of the notch; in 2D +x
   std::shared_ptr<JointedRegion> region_ = std::make_shared<JointedRegion>();

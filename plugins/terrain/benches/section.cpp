@@ -87,9 +87,9 @@ class Builder {
     const double rise = slope * one.depth / (1 - slope * cotangent);
     if (!(slope * cotangent < 1 && rise < crest.y() - toe.y()))
       throw ParameterError(
-          fmt::format("plugin benches: notch.base is {:.6g} rad, so steep that its base comes "
+          fmt::format("plugin benches: notch.base is {:.6g} deg, so steep that its base comes "
                       "out above the bench, expected less",
-                      one.base));
+                      one.base * 180 / pi));
     section_.points.back().x() -= one.depth;
     section_.crests.push_back(last());
     const int back = last();

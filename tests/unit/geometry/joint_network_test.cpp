@@ -2,7 +2,9 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <ctime>
 #include <set>
+#include <stdexcept>
 
 #include "geometry/directions.h"
 #include "geometry/disc_overlap.h"
@@ -125,6 +127,20 @@ TEST_CASE("places with spacings are stationary, or go through their origin") {
     CHECK(std::abs(far.mean() - 7) < 3.5 * far.error() + 1e-12);
     CHECK(mean_of(*spacing) == Approx(1).epsilon(1e-3));
   }
+}
+
+TEST_CASE("more places than can be are refused, whether they lie in the interval or on the way to it") {
+  const auto draw = [](double spacing, std::optional<double> origin) {
+    RandomStream rng = stream_of(0);
+    return places_with_spacing(*fixed(spacing), origin, -4, 4, rng).size();
+  };
+  CHECK(draw(std::ldexp(1, -13), 0) == 65537);
+  CHECK(draw(1, 99000) == 9);
+  CHECK(draw(1, -99000) == 9);
+  for (const std::optional<double> origin : {std::optional(0.0), std::optional<double>()})
+    CHECK_THROWS_AS(draw(7e-5, origin), std::length_error);
+  for (const double origin : {-5e5, 5e5}) CHECK_THROWS_AS(draw(1, origin), std::length_error);
+  CHECK_THROWS_AS(draw(1e-30, 0), std::length_error);  // does not move the place
 }
 
 TEST_CASE("the area of joint a volume is one over the spacing, for four laws, with scatter too") {
@@ -267,15 +283,17 @@ TEST_CASE("a plane of persistence one half cuts each block that it meets with th
 }
 
 TEST_CASE("two thousand blocks are cut in well under two seconds") {
-  CutBlocks<3> rock = cube(20);
+  const std::clock_t start = std::clock();
+  CutBlocks<3> rock = cube(26);
   RandomStream rng = stream_of(0);
   int set = 0;
   for (const Vec3& normal : {pole(70, 90), pole(80, 170), pole(25, 280)})
     for (const Joint<3>& joint :
          draw_joints(JointSet<3>{.name = "a", .normal = normal, .fisher_k = 100, .spacing = exponential(1.9)},
-                     set++, cube(20).points(), rng))
+                     set++, cube(26).points(), rng))
       cut_by(rock, joint, set, rng);
-  CHECK(rock.blocks().size() > 1000);
+  CHECK(rock.blocks().size() > 2000);
+  CHECK(static_cast<double>(std::clock() - start) < 2.0 * CLOCKS_PER_SEC);
 }
 
 }  // namespace joint_network_test

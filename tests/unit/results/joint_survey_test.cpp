@@ -148,6 +148,30 @@ TEST_CASE("a face is judged by the rules of its kinematics") {
   CHECK(survey.to_halve == 80);
 }
 
+TEST_CASE("if no plane or each could let a face fail, the interval of the share is exact, not empty") {
+  const SlopeFace face{70 * deg, 180 * deg, 35 * deg, 20 * deg};
+  std::vector<SurveyedPlane> planes;
+  for (int i = 0; i < 20; ++i) planes.push_back({.dip = 80 * deg, .direction = (180 + 0.5 * i) * deg});
+  const JointSurvey steep = survey_of(planes, {.sets = 1, .face = face});
+  REQUIRE(steep.hazards);
+  // None of 20: 1 - 0.025^(1/20). Twenty planes have ten pairs that share no plane.
+  for (const auto& [share, independent] :
+       {std::pair(steep.hazards->plane, 20), {steep.hazards->toppling, 20}, {steep.hazards->wedge, 10}}) {
+    CHECK(share.value == 0);
+    CHECK(share.low == 0);
+    CHECK(share.high == Approx(1 - std::pow(0.025, 1.0 / independent)));
+  }
+  // All of three slide, but one counts twice: 16 / 6 of them say as much.
+  planes.resize(3);
+  for (SurveyedPlane& plane : planes) plane.dip = 50 * deg;
+  planes[2].weight = 2;
+  const JointSurvey few = survey_of(planes, {.sets = 1, .face = face});
+  REQUIRE(few.hazards);
+  CHECK(few.hazards->plane.value == 1);
+  CHECK(few.hazards->plane.low == Approx(std::pow(0.025, 6 / 16.0)));
+  CHECK(few.hazards->plane.high == 1);
+}
+
 TEST_CASE("a scanline counts planes by Terzaghi, leaves out its blind zone, and measures spacings") {
   std::vector<SurveyedPlane> planes;
   // A level line to the east meets planes that dip 30 and 90 degrees to it; one is nearly parallel to it.
