@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -195,6 +196,84 @@ TEST_CASE(
   CHECK(worst_of(folder, "kml") < 1e-2);  // degrees, and back
   const Output check = call(folder, "check kml.yaml");
   CHECK(check.out.find("EPSG:4326 made EPSG:2056") != std::string::npos);
+}
+
+TEST_CASE("layers by the conventions of 40 formats and options stop the same rocks at the same places",
+          "[heavy]") {
+  const Folder folder;
+  if (!has_module() || shell(folder, "ogr2ogr --version").code != 0) {
+    std::cout << "SKIPPED: needs the module of GDAL and ogr2ogr\n";
+    return;
+  }
+  constexpr double same = 1e-6, through_degrees = 1e-2, rounded = 5e-2;  // m
+  const struct {
+    std::string driver, ending, options;
+    double within;
+  } forms[] = {
+      {"GPKG", "gpkg", "-dsco VERSION=1.0", same},
+      {"GPKG", "gpkg", "-dsco VERSION=1.1", same},
+      {"GPKG", "gpkg", "-dsco VERSION=1.2", same},
+      {"GPKG", "gpkg", "-dsco VERSION=1.3", same},
+      {"GPKG", "gpkg", "-lco SPATIAL_INDEX=NO", same},
+      {"GPKG", "gpkg", "-lco GEOMETRY_NAME=the_geom -lco FID=ogc_fid", same},
+      {"GPKG", "gpkg", "-nlt PROMOTE_TO_MULTI", same},
+      {"GPKG", "gpkg", "-nlt CONVERT_TO_CURVE", same},
+      {"GPKG", "gpkg", "-dim XYZ", same},
+      {"GPKG", "gpkg", "-dim XYM", same},
+      {"GPKG", "gpkg", "-dim XYZM", same},
+      {"GPKG", "gpkg", "-t_srs EPSG:4326", through_degrees},
+      {"GPKG", "gpkg", "-t_srs EPSG:4258", through_degrees},
+      {"GPKG", "gpkg", "-t_srs EPSG:21781", through_degrees},
+      {"GPKG", "gpkg", "-t_srs EPSG:32632", through_degrees},
+      {"GPKG", "gpkg", "-t_srs EPSG:3857", through_degrees},
+      {"SQLite", "sqlite", "", same},
+      {"SQLite", "db", "-dsco SPATIALITE=YES", same},
+      {"ESRI Shapefile", "shp", "", same},
+      {"ESRI Shapefile", "shp", "-lco ENCODING=CP1252", same},
+      {"ESRI Shapefile", "shp", "-lco SPATIAL_INDEX=YES", same},
+      {"ESRI Shapefile", "shp", "-nlt PROMOTE_TO_MULTI -dim XYZ", same},
+      {"ESRI Shapefile", "shp", "-t_srs EPSG:4326", through_degrees},
+      {"KML", "kml", "-t_srs EPSG:4326", through_degrees},
+      {"LIBKML", "kml", "-t_srs EPSG:4326", through_degrees},
+      {"LIBKML", "kmz", "-t_srs EPSG:4326", through_degrees},
+      {"GeoJSON", "geojson", "", same},
+      {"GeoJSON", "json", "", same},
+      {"GeoJSON", "geojson", "-lco COORDINATE_PRECISION=3", same},
+      {"GeoJSON", "geojson", "-lco RFC7946=YES -t_srs EPSG:4326", through_degrees},
+      {"GeoJSON", "geojson", "-lco WRITE_BBOX=YES", same},
+      {"GeoJSONSeq", "geojsonl", "-t_srs EPSG:4326", through_degrees},
+      {"GML", "gml", "", same},
+      {"GML", "gml", "-t_srs EPSG:4326 -dsco FORMAT=GML3.2", through_degrees},
+      {"FlatGeobuf", "fgb", "", same},
+      {"FlatGeobuf", "fgb", "-lco SPATIAL_INDEX=NO", same},
+      {"MapInfo File", "tab", "", rounded},
+      {"MapInfo File", "mif", "", same},
+      {"CSV", "csv", "-lco GEOMETRY=AS_WKT", same},
+      {"OGR_GMT", "gmt", "", same},
+      {"JML", "jml", "", same},
+      {"GeoRSS", "xml", "-t_srs EPSG:4326", through_degrees},
+  };
+  write_slope(folder);
+  write_site(folder);
+  folder.write("points.yaml", scenario(soft_points, road_points, crest_points));
+  REQUIRE(call(folder, "run points.yaml --quiet -o points").code == 0);
+  int number = 0;
+  for (const auto& form : forms) {
+    const std::string name = fmt::format("form{}", ++number);
+    INFO(form.driver << " " << form.options);
+    for (const std::string kind : {"soft", "road", "crest"}) {
+      const Output made =
+          shell(folder, fmt::format("ogr2ogr -f '{}' {} {}_{}.{} site.geojson -where \"Layer='{}'\"",
+                                    form.driver, form.options, name, kind, form.ending, kind));
+      INFO(made.err);
+      REQUIRE(made.code == 0);
+    }
+    const auto layer = [&](const char* kind) {
+      return fmt::format("{{ layer: {}_{}.{} }}", name, kind, form.ending);
+    };
+    folder.write(name + ".yaml", scenario(layer("soft"), layer("road"), layer("crest")));
+    CHECK(worst_of(folder, name) < form.within);
+  }
 }
 
 TEST_CASE("3D faces of a drawing are the ground of the same mesh, in whatever order their corners are") {
