@@ -442,6 +442,51 @@ TEST_CASE("a layer that fits not says why, and what to write") {
       "has 3 parts of these features, expected one line: `where` chooses it by an attribute");
 }
 
+TEST_CASE("a section is cut along a line of two places, or of a layer, as from its ends") {
+  const Folder folder;
+  write_slope(folder);
+  const auto scenario_of = [](const std::string& line) {
+    return "flyrock: 1\ndimension: 2\nmethod: ballistic\ntrials: 3\nterrain: { type: section, of: { type: "
+           "mesh, file: "
+           "slope.obj }, " +
+           line +
+           " }\nrocks:\n  - { name: a, density: 2700, shape: { type: disk, radius: 0.1 }, release: { "
+           "position: [1, "
+           "40] }, launch: { type: fixed, velocity: [5, 0] } }\nstop: { time: 60 s }\n";
+  };
+  const auto rocks_of = [&](const std::string& name, const std::string& line) {
+    folder.write(name + ".yaml", scenario_of(line));
+    const Output run = call(folder, "run " + name + ".yaml --quiet -o " + name);
+    INFO(run.err);
+    REQUIRE(run.code == 0);
+    return read(folder.path() / name / "rocks.csv");
+  };
+  const std::string ends = rocks_of("ends", "from: [2600002, 1200005], to: [2600070, 1200050]");
+  CHECK(rocks_of("line", "line: [[2600002, 1200005], [2600070, 1200050]]") == ends);
+  const auto said = [&](const std::string& line) {
+    folder.write("s.yaml", scenario_of(line));
+    const Output check = call(folder, "check s.yaml");
+    CHECK(check.code == 2);
+    return check.err;
+  };
+  const auto has = [](const std::string& text, const std::string& piece) {
+    INFO(text);
+    CHECK(text.find(piece) != std::string::npos);
+  };
+  has(said("from: [2600002, 1200005]"), "has no `to`, expected `from` and `to`, or `line`");
+  has(said("from: [2600002, 1200005], line: [[2600002, 1200005], [2600070, 1200050]]"),
+      "stands in place of `from` and `to`, expected one of both");
+  has(said("line: [[2600002, 1200005], [2600030, 1200005], [2600070, 1200050]]"),
+      "has 3 points, expected two: a section is straight");
+  if (!has_module()) return;
+  const std::string layer = "[[2600002,1200005],[2600070,1200050]]";
+  folder.write(
+      "sections.geojson",
+      R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::2056"}},"features":[)" +
+          feature("A", "LineString", layer) + "," + feature("B", "LineString", road_points) + "]}");
+  CHECK(rocks_of("layer", "line: { layer: sections.geojson, where: { Layer: A } }") == ends);
+}
+
 TEST_CASE("a profile is cut along a line with heights") {
   if (!has_module()) return;
   const Folder folder;
