@@ -273,8 +273,7 @@ Json SchemaValues::value(const ParamSpec& spec, const ValuePlace& place) {
     case ParamType::points:
       return points(spec, place.dimension, place);
     case ParamType::plan_points:
-      return place.dimension == 3 ? Json{{"anyOf", {points(spec, 2, place), layer()}}}
-                                  : points(spec, 2, place);
+      return {{"anyOf", {points(spec, 2, place), layer()}}};
     case ParamType::shapes:
       return reference(fmt::format("parts_{}D", place.dimension));
     case ParamType::records:

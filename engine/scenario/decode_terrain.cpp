@@ -14,6 +14,7 @@
 #include "scenario/normalise.h"
 #include "scenario/normalise_number.h"
 #include "survey/surveyed_terrain.h"
+#include "survey/vector_file.h"
 
 namespace flyrock {
 
@@ -93,6 +94,33 @@ std::shared_ptr<TerrainShape3> try_to_build(DecodeContext& context, const Node& 
   return shape;
 }
 
+/// The line of a section in plan. A layer stays in its own system, because the terrain is not read yet.
+SectionPlan decode_section_line(DecodeContext& context, const Node& node) {
+  context.crs = own_system;
+  const Section section = decode_section(context, node, "terrain: section");
+  context.crs.clear();
+  if (const std::optional<Node> line = node.find("line")) {
+    if (node.find("from") || node.find("to"))
+      line->error(context.diagnostics, "stands in place of `from` and `to`, expected one of both");
+    const std::vector<Vec3>& ends = section.points("line");
+    if (ends.size() == 2) return {ends[0].head<2>(), ends[1].head<2>()};
+    if (!ends.empty())
+      line->error(context.diagnostics,
+                  fmt::format("has {} points, expected two: a section is straight", ends.size()));
+    return {Vec2::Zero(), Vec2::Zero()};
+  }
+  const auto place = [&](const char* key) -> Vec2 {
+    if (!node.find(key)) {
+      context.diagnostics.error(node.key_at, node.path,
+                                fmt::format("has no `{}`, expected `from` and `to`, or `line`", key));
+      return Vec2::Zero();
+    }
+    const std::vector<Number>& numbers = section.vector(key);
+    return numbers.size() == 2 ? Vec2(numbers[0].constant, numbers[1].constant) : Vec2(Vec2::Zero());
+  };
+  return {place("from"), place("to")};
+}
+
 /// { type: section, of: { type, ... }, from, to }: a profile out of a terrain in 3D.
 std::optional<PluginUse> decode_section_terrain(DecodeContext& context, const Node& node, TerrainPlan& plan) {
   std::optional<PluginUse> use;
@@ -101,12 +129,7 @@ std::optional<PluginUse> decode_section_terrain(DecodeContext& context, const No
     use = decode_plugin(context, *of, PluginKind::terrain);
     context.dimension = 2;
   }
-  const Section section = decode_section(context, node, "terrain: section");
-  const auto place = [&](const char* key) {
-    const std::vector<Number>& numbers = section.vector(key);
-    return numbers.size() == 2 ? Vec2(numbers[0].constant, numbers[1].constant) : Vec2(Vec2::Zero());
-  };
-  plan.section = SectionPlan{place("from"), place("to")};
+  plan.section = decode_section_line(context, node);
   return use;
 }
 

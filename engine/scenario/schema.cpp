@@ -365,7 +365,10 @@ std::vector<SectionSpec> make_sections() {
         text("crs", "EPSG:n, the coordinate system; of the file where it is not given").optional(), north()},
        {"zones", "faces"}},
       {"terrain: section",
-       {vector("from", "m", "place in plan where x = 0"), vector("to", "m", "place in plan where it ends")},
+       {vector("from", "m", "place in plan where x = 0").optional(),
+        vector("to", "m", "place in plan where it ends").optional(),
+        plan_points("line", "both places, or a layer with a line between two; in place of `from` and `to`")
+            .optional()},
        {"of"}},
       {"terrain.ditch",
        {number("x", "m", "where its near edge is"), number("width", "m", "of its level bottom").above(0),

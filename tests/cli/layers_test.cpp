@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -197,6 +198,84 @@ TEST_CASE(
   CHECK(check.out.find("EPSG:4326 made EPSG:2056") != std::string::npos);
 }
 
+TEST_CASE("layers by the conventions of 40 formats and options stop the same rocks at the same places",
+          "[heavy]") {
+  const Folder folder;
+  if (!has_module() || shell(folder, "ogr2ogr --version").code != 0) {
+    std::cout << "SKIPPED: needs the module of GDAL and ogr2ogr\n";
+    return;
+  }
+  constexpr double same = 1e-6, through_degrees = 1e-2, rounded = 5e-2;  // m
+  const struct {
+    std::string driver, ending, options;
+    double within;
+  } forms[] = {
+      {"GPKG", "gpkg", "-dsco VERSION=1.0", same},
+      {"GPKG", "gpkg", "-dsco VERSION=1.1", same},
+      {"GPKG", "gpkg", "-dsco VERSION=1.2", same},
+      {"GPKG", "gpkg", "-dsco VERSION=1.3", same},
+      {"GPKG", "gpkg", "-lco SPATIAL_INDEX=NO", same},
+      {"GPKG", "gpkg", "-lco GEOMETRY_NAME=the_geom -lco FID=ogc_fid", same},
+      {"GPKG", "gpkg", "-nlt PROMOTE_TO_MULTI", same},
+      {"GPKG", "gpkg", "-nlt CONVERT_TO_CURVE", same},
+      {"GPKG", "gpkg", "-dim XYZ", same},
+      {"GPKG", "gpkg", "-dim XYM", same},
+      {"GPKG", "gpkg", "-dim XYZM", same},
+      {"GPKG", "gpkg", "-t_srs EPSG:4326", through_degrees},
+      {"GPKG", "gpkg", "-t_srs EPSG:4258", through_degrees},
+      {"GPKG", "gpkg", "-t_srs EPSG:21781", through_degrees},
+      {"GPKG", "gpkg", "-t_srs EPSG:32632", through_degrees},
+      {"GPKG", "gpkg", "-t_srs EPSG:3857", through_degrees},
+      {"SQLite", "sqlite", "", same},
+      {"SQLite", "db", "-dsco SPATIALITE=YES", same},
+      {"ESRI Shapefile", "shp", "", same},
+      {"ESRI Shapefile", "shp", "-lco ENCODING=CP1252", same},
+      {"ESRI Shapefile", "shp", "-lco SPATIAL_INDEX=YES", same},
+      {"ESRI Shapefile", "shp", "-nlt PROMOTE_TO_MULTI -dim XYZ", same},
+      {"ESRI Shapefile", "shp", "-t_srs EPSG:4326", through_degrees},
+      {"KML", "kml", "-t_srs EPSG:4326", through_degrees},
+      {"LIBKML", "kml", "-t_srs EPSG:4326", through_degrees},
+      {"LIBKML", "kmz", "-t_srs EPSG:4326", through_degrees},
+      {"GeoJSON", "geojson", "", same},
+      {"GeoJSON", "json", "", same},
+      {"GeoJSON", "geojson", "-lco COORDINATE_PRECISION=3", same},
+      {"GeoJSON", "geojson", "-lco RFC7946=YES -t_srs EPSG:4326", through_degrees},
+      {"GeoJSON", "geojson", "-lco WRITE_BBOX=YES", same},
+      {"GeoJSONSeq", "geojsonl", "-t_srs EPSG:4326", through_degrees},
+      {"GML", "gml", "", same},
+      {"GML", "gml", "-t_srs EPSG:4326 -dsco FORMAT=GML3.2", through_degrees},
+      {"FlatGeobuf", "fgb", "", same},
+      {"FlatGeobuf", "fgb", "-lco SPATIAL_INDEX=NO", same},
+      {"MapInfo File", "tab", "", rounded},
+      {"MapInfo File", "mif", "", same},
+      {"CSV", "csv", "-lco GEOMETRY=AS_WKT", same},
+      {"OGR_GMT", "gmt", "", same},
+      {"JML", "jml", "", same},
+      {"GeoRSS", "xml", "-t_srs EPSG:4326", through_degrees},
+  };
+  write_slope(folder);
+  write_site(folder);
+  folder.write("points.yaml", scenario(soft_points, road_points, crest_points));
+  REQUIRE(call(folder, "run points.yaml --quiet -o points").code == 0);
+  int number = 0;
+  for (const auto& form : forms) {
+    const std::string name = fmt::format("form{}", ++number);
+    INFO(form.driver << " " << form.options);
+    for (const std::string kind : {"soft", "road", "crest"}) {
+      const Output made =
+          shell(folder, fmt::format("ogr2ogr -f '{}' {} {}_{}.{} site.geojson -where \"Layer='{}'\"",
+                                    form.driver, form.options, name, kind, form.ending, kind));
+      INFO(made.err);
+      REQUIRE(made.code == 0);
+    }
+    const auto layer = [&](const char* kind) {
+      return fmt::format("{{ layer: {}_{}.{} }}", name, kind, form.ending);
+    };
+    folder.write(name + ".yaml", scenario(layer("soft"), layer("road"), layer("crest")));
+    CHECK(worst_of(folder, name) < form.within);
+  }
+}
+
 TEST_CASE("3D faces of a drawing are the ground of the same mesh, in whatever order their corners are") {
   if (!has_module()) return;
   const Folder folder;
@@ -361,6 +440,51 @@ TEST_CASE("a layer that fits not says why, and what to write") {
   folder.write("s.yaml", scenario(soft_points, "{ layer: site.geojson }", crest_points));
   has(call(folder, "check s.yaml").err,
       "has 3 parts of these features, expected one line: `where` chooses it by an attribute");
+}
+
+TEST_CASE("a section is cut along a line of two places, or of a layer, as from its ends") {
+  const Folder folder;
+  write_slope(folder);
+  const auto scenario_of = [](const std::string& line) {
+    return "flyrock: 1\ndimension: 2\nmethod: ballistic\ntrials: 3\nterrain: { type: section, of: { type: "
+           "mesh, file: "
+           "slope.obj }, " +
+           line +
+           " }\nrocks:\n  - { name: a, density: 2700, shape: { type: disk, radius: 0.1 }, release: { "
+           "position: [1, "
+           "40] }, launch: { type: fixed, velocity: [5, 0] } }\nstop: { time: 60 s }\n";
+  };
+  const auto rocks_of = [&](const std::string& name, const std::string& line) {
+    folder.write(name + ".yaml", scenario_of(line));
+    const Output run = call(folder, "run " + name + ".yaml --quiet -o " + name);
+    INFO(run.err);
+    REQUIRE(run.code == 0);
+    return read(folder.path() / name / "rocks.csv");
+  };
+  const std::string ends = rocks_of("ends", "from: [2600002, 1200005], to: [2600070, 1200050]");
+  CHECK(rocks_of("line", "line: [[2600002, 1200005], [2600070, 1200050]]") == ends);
+  const auto said = [&](const std::string& line) {
+    folder.write("s.yaml", scenario_of(line));
+    const Output check = call(folder, "check s.yaml");
+    CHECK(check.code == 2);
+    return check.err;
+  };
+  const auto has = [](const std::string& text, const std::string& piece) {
+    INFO(text);
+    CHECK(text.find(piece) != std::string::npos);
+  };
+  has(said("from: [2600002, 1200005]"), "has no `to`, expected `from` and `to`, or `line`");
+  has(said("from: [2600002, 1200005], line: [[2600002, 1200005], [2600070, 1200050]]"),
+      "stands in place of `from` and `to`, expected one of both");
+  has(said("line: [[2600002, 1200005], [2600030, 1200005], [2600070, 1200050]]"),
+      "has 3 points, expected two: a section is straight");
+  if (!has_module()) return;
+  const std::string layer = "[[2600002,1200005],[2600070,1200050]]";
+  folder.write(
+      "sections.geojson",
+      R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::2056"}},"features":[)" +
+          feature("A", "LineString", layer) + "," + feature("B", "LineString", road_points) + "]}");
+  CHECK(rocks_of("layer", "line: { layer: sections.geojson, where: { Layer: A } }") == ends);
 }
 
 TEST_CASE("a profile is cut along a line with heights") {
