@@ -353,9 +353,9 @@ enum class FlightMode { exact, stepped };
 /// Dense steps (world/dense_step.cpp): when they are made, and what they take where the scenario gives
 /// nothing.
 struct DensePlan {
-  std::string bodies = "auto";  ///< or "exact", "dense"
-  double time_step = 4e-3;      ///< s
-  double tolerance = 1e-4;
+  std::string bodies = "auto";             ///< or "exact", "dense"
+  double time_step = 4e-3;                 ///< s
+  std::optional<double> tolerance = {};    ///< absent: by the stop speed
   std::optional<int> max_iterations = {};  ///< absent: by the number of contacts
 };
 
