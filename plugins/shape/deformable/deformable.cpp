@@ -34,7 +34,7 @@ class DeformableShape : public ShapeModel {
     const auto needs = [&](bool given, const char* name, bool wanted) {
       if (given == wanted) return;
       throw PluginError(fmt::format("plugin deformable: `{}` {} `form: {}`", name,
-                                    wanted ? "is missing, expected with" : "is given, not expected with",
+                                    wanted ? "is needed with" : "is given, not expected with",
                                     params.text("form")));
     };
     const std::string file = params.text("mesh");
