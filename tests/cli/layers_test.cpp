@@ -300,7 +300,7 @@ TEST_CASE("3D faces of a drawing are the ground of the same mesh, in whatever or
   CHECK(run_drawing("layers", below + face_3d("PIT", {0, 1, 2, 3}), ", surface: PIT") < 1e-9);
 }
 
-TEST_CASE("a drawing without 3D faces, or without a layer, says so; other entities are counted") {
+TEST_CASE("a drawing without 3D faces, or without a layer, says so, and other entities are counted") {
   if (!has_module()) return;
   const Folder folder;
   const std::string line = "0\nLINE\n8\nROAD\n10\n0\n20\n0\n30\n0\n11\n1\n21\n1\n31\n1\n";
