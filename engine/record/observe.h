@@ -178,7 +178,7 @@ struct SolverQuality {
   std::uint64_t dense_unfinished =
       0;                         ///< their solves that kept a residual above the tolerance of dense steps
   double dense_residual = 0;     ///< the greatest of them, relative to the speed_scale
-  double unsolved_depth = 0;     ///< the deepest contact that a dense step did not solve, of the smaller size
+  double unsolved_depth = 0;     ///< the deepest contact that a step leaves unsolved, of the smaller size
   double theta_loss = 0;         ///< J, potential energy that dense steps lose, being of first order; or gain
   double projection_energy = 0;  ///< J, by which they lift bodies out of each other
   double energy_relative_change = 0;  ///< (total energy at the end - total energy at the start) / |scale|

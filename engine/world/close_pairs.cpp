@@ -98,11 +98,23 @@ std::optional<double> World<D>::first_event(int body, int other, double h) {
   return low;
 }
 
-#define FLYROCK_INSTANTIATE(D)                                   \
-  template bool World<D>::is_close(int, int) const;              \
-  template bool World<D>::is_searched(int, int) const;           \
-  template bool World<D>::is_searched(int, int, int, int) const; \
-  template std::optional<double> World<D>::first_event(int, int, double)
+/// Measures how deep features of close pairs lie in each other at the end of a step that is not cut again.
+template <int D>
+void World<D>::measure_unsolved(double h) {
+  find_motions(h);
+  for (const Contact& c : contacts_) {
+    const double share =
+        unsolved_depth(c.candidate, c.antagonist, h) / contact_size(c.candidate, c.antagonist);
+    if (share > slop) quality_.unsolved_depth = std::max(quality_.unsolved_depth, share);
+  }
+}
+
+#define FLYROCK_INSTANTIATE(D)                                            \
+  template bool World<D>::is_close(int, int) const;                       \
+  template bool World<D>::is_searched(int, int) const;                    \
+  template bool World<D>::is_searched(int, int, int, int) const;          \
+  template std::optional<double> World<D>::first_event(int, int, double); \
+  template void World<D>::measure_unsolved(double)
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);
 #undef FLYROCK_INSTANTIATE

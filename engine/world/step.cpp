@@ -141,7 +141,11 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
         continue;
       }
     }
-    if (!cut || cuts++ == most_cuts) break;
+    if (!cut) break;
+    if (cuts++ == most_cuts) {
+      measure_unsolved(h);
+      break;
+    }
     const std::size_t joined = late_.size();
     const std::optional<double> touch = first_touch(h, pass_held);
     if (late_.size() > joined && joined < most_late) {
@@ -198,15 +202,20 @@ void World<D>::finish_bodies() {
   }
 }
 
+template <int D>
+void World<D>::find_motions(double h) {
+  motions_.clear();
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    motions_.push_back(step_motion(starts_[i], bodies[i], h, settings_.theta));
+}
+
 /// The time of the first touch of features that are not in contact, along the path of the step [s]. With
 /// `pass_held`, only touches of bodies that have no contact with each other count.
 template <int D>
 std::optional<double> World<D>::first_touch(double h, bool pass_held) {
   const PhaseTimer timer(clock, &PhaseTimes::detect);
   std::optional<double> first;
-  motions_.clear();
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    motions_.push_back(step_motion(starts_[i], bodies[i], h, settings_.theta));
+  find_motions(h);
   const auto consider = [&](std::optional<double> t) {
     if (t && (!first || *t < *first)) first = t;
   };
@@ -301,6 +310,7 @@ bool World<D>::slips(const Contact& contact, int body) const {
   template void World<D>::forget_steps();                             \
   template void World<D>::finish_bodies();                            \
   template World<D>::Outcome World<D>::step(double, bool, bool);      \
+  template void World<D>::find_motions(double);                       \
   template std::optional<double> World<D>::first_touch(double, bool); \
   template World<D>::Outcome World<D>::keep(double, bool);            \
   template bool World<D>::slips(const Contact&, int) const

@@ -361,6 +361,7 @@ class World {
   double unsolved_depth(int body, int other, double t);
   void note_unsolved(int body, int other);
   std::optional<double> first_event(int body, int other, double h);
+  void measure_unsolved(double h);
 
   // instant.cpp: the impacts of one instant
   bool solve_impact(bool plastic = false);
@@ -449,6 +450,7 @@ class World {
   void restore();
   void forget_steps();
   void finish_bodies();
+  void find_motions(double h);
   std::optional<double> first_touch(double h, bool pass_held);
   Outcome keep(double duration, bool new_touch);
 
