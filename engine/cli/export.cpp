@@ -82,8 +82,7 @@ std::vector<fs::path> export_h5(const fs::path& results, const fs::path& folder)
   if (!has_hdf5())
     throw UsageError(
         "--to hdf5: this flyrock was built without HDF5 (Debian: libhdf5-dev); --to csv writes the same "
-        "tables "
-        "without it");
+        "tables without it");
   return export_hdf5(results, folder);
 }
 
@@ -140,9 +139,8 @@ int export_result(const Command& command, const Arguments& arguments) {
   options.add_options()(
       "to", po::value<std::string>()->value_name("csv|hdf5|vtk|gltf|obj|dxf|geojson|gpkg|asc|tif"),
       "csv or hdf5 (every table), vtk (trajectories, for ParaView), gltf (moving rocks, for viewers of 3D "
-      "models), "
-      "obj (blocks between joints), dxf (paths, "
-      "ends, area; in 2D a section with envelopes); for a GIS: geojson or gpkg (paths, "
+      "models), obj (blocks between joints), dxf (paths, ends, area; in 2D a section with envelopes); for a "
+      "GIS: geojson or gpkg (paths, "
       "ends, gates, barriers, trees, zones, area), asc or tif (maps); gpkg and tif need GDAL; "
       "required")("output,o", po::value<std::string>()->value_name("FILE|DIR"),
                   "folder of the files; default DIR/<format>")(

@@ -2,8 +2,8 @@
 // Which contacts hold a contactor when a search for its time of impact begins, and what follows for the
 // search.
 //
-// World::held_in_flight and World::held_on_ground (world/held_contacts.cpp) fill the list: in flight with
-// what the last step or impact left, in a step on the ground with what the solver keeps and what has hardly
+// World::held_in_flight and World::held_in_step (world/held_contacts.cpp) fill the list: in flight with what
+// the last step or impact left, in a step on the ground with what the solver keeps and what has hardly
 // opened. A search asks it for a Hold, and makes Counts of it. In flight, what is held counts from zero at
 // the start, then fully. In a step it is passed over, or may sink:
 //

@@ -36,13 +36,6 @@ bool is_equal(const std::string& attribute, const std::string& wanted) {
   return a && b && *a == *b;
 }
 
-/// The value of an attribute; null: the part has none.
-const std::string* value_of(const VectorPart& part, const std::string& attribute) {
-  for (const auto& [name, value] : part.attributes)
-    if (name == attribute) return &value;
-  return nullptr;
-}
-
 void add_once(std::vector<std::string>& values, const std::string& value) {
   if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
 }
@@ -116,7 +109,7 @@ class LayerOf {
     const std::string value = text_of(*wanted.value);
     std::vector<std::string> values;
     std::erase_if(parts, [&](const VectorPart& part) {
-      const std::string* attribute = value_of(part, wanted.key);
+      const std::string* attribute = part.value_of(wanted.key);
       if (attribute && is_equal(*attribute, value)) return false;
       if (attribute) add_once(values, *attribute);
       return true;
@@ -254,7 +247,7 @@ std::vector<std::string> layer_values(DecodeContext& context, const Node& node,
   std::vector<std::string> values;
   if (!parts || !layer.has_attribute(attribute)) return values;
   for (const VectorPart& part : *parts) {
-    const std::string* value = value_of(part, attribute);
+    const std::string* value = part.value_of(attribute);
     if (!value || value->empty()) {
       layer.refuse(fmt::format("has a feature {} without `{}`: give it a value, or leave it out by `where`",
                                part.feature, printable(attribute)));

@@ -21,13 +21,6 @@ bool is_of_layers(const std::string& file) {
   return false;
 }
 
-/// The value of an attribute of a feature; empty if it has none.
-std::string text_of(const VectorPart& part, const std::string& attribute) {
-  for (const auto& [name, value] : part.attributes)
-    if (name == attribute) return value;
-  return {};
-}
-
 /// A line of heads, and a line for each feature.
 TableText lines_of(const VectorLayer& layer, const std::string& file) {
   auto source = std::make_shared<Source>();
@@ -43,7 +36,10 @@ TableText lines_of(const VectorLayer& layer, const std::string& file) {
   for (const VectorPart& part : layer.parts) {
     if (part.feature == feature) continue;  // another part of the same
     feature = part.feature;
-    add_line([&](const std::string& attribute) { return text_of(part, attribute); });
+    add_line([&](const std::string& attribute) {
+      const std::string* value = part.value_of(attribute);
+      return value ? *value : std::string();
+    });
   }
   return {source, true};
 }

@@ -7,6 +7,12 @@
 
 namespace flyrock {
 
+const std::string* VectorPart::value_of(const std::string& attribute) const {
+  for (const auto& [name, value] : attributes)
+    if (name == attribute) return &value;
+  return nullptr;
+}
+
 VectorLayer read_vector_layer(const std::string& path, const std::string& layer, const std::string& crs,
                               const std::string& conversion) {
   const auto read = reinterpret_cast<VectorReader>(gdal_entry_point(path, vector_entry, conversion));

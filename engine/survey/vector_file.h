@@ -20,6 +20,9 @@ struct VectorPart {
   std::vector<std::vector<Vec3>> lines;
   bool has_heights = false;
   std::vector<std::pair<std::string, std::string>> attributes;  ///< name and value as text; of NULL none
+
+  /// The value of an attribute; null: it has none.
+  const std::string* value_of(const std::string& attribute) const;
 };
 
 struct VectorLayer {

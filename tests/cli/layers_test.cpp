@@ -96,6 +96,19 @@ void write_site(const Folder& folder) {
           "]}");
 }
 
+/// What `check` says of a scenario that it refuses.
+std::string refusal_of(const Folder& folder, const std::string& text) {
+  folder.write("s.yaml", text);
+  const Output check = call(folder, "check s.yaml");
+  CHECK(check.code == 2);
+  return check.err;
+}
+
+void has(const std::string& text, const std::string& piece) {
+  INFO(text);
+  CHECK(text.find(piece) != std::string::npos);
+}
+
 bool has_module() {
   return fs::exists(fs::path(FLYROCK_BINARY).parent_path().parent_path() / "lib/flyrock/flyrock_gdal.so");
 }
@@ -366,14 +379,7 @@ TEST_CASE("each value of an attribute is a zone or a gate of its own") {
   };
   CHECK(gates_of("each").size() == 2);
   CHECK(gates_of("each") == gates_of("points"));
-  const auto said = [&](const std::string& text) {
-    folder.write("s.yaml", text);
-    return call(folder, "check s.yaml").err;
-  };
-  const auto has = [](const std::string& text, const std::string& piece) {
-    INFO(text);
-    CHECK(text.find(piece) != std::string::npos);
-  };
+  const auto said = [&](const std::string& text) { return refusal_of(folder, text); };
   has(said(with_gates(gate("at", "{ layer: site.geojson, each: layer }"), zone("soft", soft_points))),
       "has no attribute `layer`, did you mean `Layer`?");
   has(said(scenario(soft_points, road_points, "{ layer: site.geojson, each: Layer }")),
@@ -418,14 +424,7 @@ TEST_CASE("a layer that fits not says why, and what to write") {
   write_slope(folder);
   write_site(folder);
   const auto said = [&](const std::string& soft, const std::string& crs = "crs: EPSG:2056, ") {
-    folder.write("s.yaml", scenario(soft, road_points, crest_points, crs));
-    const Output check = call(folder, "check s.yaml");
-    CHECK(check.code == 2);
-    return check.err;
-  };
-  const auto has = [](const std::string& text, const std::string& piece) {
-    INFO(text);
-    CHECK(text.find(piece) != std::string::npos);
+    return refusal_of(folder, scenario(soft, road_points, crest_points, crs));
   };
   has(said(where("site.geojson", "sofd")), "has no feature whose `Layer` is `sofd`, did you mean `soft`?");
   has(said("{ layer: site.geojson, where: { layer: soft } }"),
@@ -463,16 +462,7 @@ TEST_CASE("a section is cut along a line of two places, or of a layer, as from i
   };
   const std::string ends = rocks_of("ends", "from: [2600002, 1200005], to: [2600070, 1200050]");
   CHECK(rocks_of("line", "line: [[2600002, 1200005], [2600070, 1200050]]") == ends);
-  const auto said = [&](const std::string& line) {
-    folder.write("s.yaml", scenario_of(line));
-    const Output check = call(folder, "check s.yaml");
-    CHECK(check.code == 2);
-    return check.err;
-  };
-  const auto has = [](const std::string& text, const std::string& piece) {
-    INFO(text);
-    CHECK(text.find(piece) != std::string::npos);
-  };
+  const auto said = [&](const std::string& line) { return refusal_of(folder, scenario_of(line)); };
   has(said("from: [2600002, 1200005]"), "has no `to`, expected `from` and `to`, or `line`");
   has(said("from: [2600002, 1200005], line: [[2600002, 1200005], [2600070, 1200050]]"),
       "stands in place of `from` and `to`, expected one of both");

@@ -19,19 +19,15 @@ constexpr double kilometre = 1000;
 constexpr double most_turn =
     pi / 2;  // between moments in 2D: a turn of more than pi would take the short way
 
-/// The fans of convex polygons.
-class Fans {
- public:
-  void add(const std::vector<std::int64_t>& corners) {
+/// The corners of triangles that fill convex polygons, as fans.
+std::vector<std::uint32_t> fans_of(const std::vector<std::vector<std::int64_t>>& polygons) {
+  std::vector<std::uint32_t> triangles;
+  for (const std::vector<std::int64_t>& corners : polygons)
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
       for (const std::int64_t corner : {corners[0], corners[i], corners[i + 1]})
-        triangles_.push_back(static_cast<std::uint32_t>(corner));
-  }
-  const std::vector<std::uint32_t>& triangles() const { return triangles_; }
-
- private:
-  std::vector<std::uint32_t> triangles_;
-};
+        triangles.push_back(static_cast<std::uint32_t>(corner));
+  return triangles;
+}
 
 /// What one sweep point shows.
 class MotionScene {
@@ -79,10 +75,9 @@ class MotionScene {
   void add(const std::string& name, const StoredPath& path, const std::vector<SurfaceCorner>& corners,
            int material, GltfFile::Json extras) {
     const RockShape shape = shape_of(corners, in_space_);
-    Fans fans;
-    for (const std::vector<std::int64_t>& face : shape.faces) fans.add(face);
-    if (fans.triangles().empty()) return;
-    const int mesh = file_.add_triangles(name, shape.vertices, fans.triangles(), material);
+    const std::vector<std::uint32_t> triangles = fans_of(shape.faces);
+    if (triangles.empty()) return;
+    const int mesh = file_.add_triangles(name, shape.vertices, triangles, material);
     file_.add_node(name, mesh, motion_of(path), std::move(extras));
   }
 
