@@ -40,6 +40,7 @@ help:
 	@echo "make site   write the pages as a web site into out/site"
 	@echo "make release   archive, packages, site and their checksums, into out/release"
 	@echo "make archive   pack flyrock with all that it needs for other and older systems, into out/archive"
+	@echo "make archive-gdal   the same with GDAL, which is four times as large"
 	@echo "make deb    write Debian packages into out/deb"
 	@echo "make format lay out the sources as .clang-format says, which a test checks"
 	@echo "make tidy   clang-tidy over the files that differ from main (TIDY_ALL=1: over all)"
@@ -118,11 +119,14 @@ deb: estimate packages-deb build-bench
 archive: build-bench
 	engine/archive.sh build/bench out/archive
 
+archive-gdal: packages-deb build-bench
+	engine/archive.sh build/bench out/archive gdal
+
 # What a tagged commit publishes. Sources that differ from the commit would not be what the tag says.
 release:
 	@git diff --quiet HEAD || { echo "there are changes that are not committed: commit or stash them" >&2; exit 1; }
 	rm -rf out/archive out/deb out/site out/release
-	$(MAKE) archive deb site
+	$(MAKE) archive archive-gdal deb site
 	mkdir -p out/release
 	cp out/archive/*.tar.gz out/deb/*.deb out/release
 	tar --sort=name --mtime=@$$(git log -1 --format=%ct) --owner=0 --group=0 -C out/site -czf out/release/site.tar.gz .
@@ -202,4 +206,4 @@ drawings:
 clean:
 	rm -rf build out
 
-.PHONY: help estimate install release deb archive notebooks course-pdf site deps deps-build deps-browser deps-format format tidy demo test test-heavy test-bare golden fuzz bench validation reference course picture drawings clean
+.PHONY: help estimate install release deb archive archive-gdal notebooks course-pdf site deps deps-build deps-browser deps-format format tidy demo test test-heavy test-bare golden fuzz bench validation reference course picture drawings clean

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <new>
 #include <system_error>
+#include <utility>
 
 #include "cli/terminal.h"
 #include "document/odd_characters.h"
@@ -17,6 +18,7 @@
 #include "files/safe_file.h"
 #include "report/commit.h"
 #include "solver/hdf5_file.h"
+#include "survey/gdal_module.h"
 
 namespace flyrock::cli {
 
@@ -61,6 +63,13 @@ constexpr std::array<Command, 23> command_table = {{
     {"man", "man [COMMAND]", "prints the manual page of flyrock or of a command", man},
 }};
 
+std::string optional_parts() {
+  std::string parts;
+  for (const auto& [is_there, name] : {std::pair{has_hdf5(), "HDF5"}, std::pair{has_gdal(), "GDAL"}})
+    if (is_there) parts += (parts.empty() ? "" : ", ") + std::string(name);
+  return parts.empty() ? "none" : parts;
+}
+
 void print_version() {
 #ifdef NDEBUG
   const char* build = "release";
@@ -70,7 +79,7 @@ void print_version() {
   const std::string commit = source_commit();
   fmt::print("flyrock {}{}\nbuild: {}, {}, C++{}\noptional parts: {}\n", FLYROCK_VERSION,
              commit.empty() ? "" : fmt::format(" (commit {})", commit), build, "GCC " __VERSION__,
-             __cplusplus / 100 % 100, has_hdf5() ? "HDF5" : "none");
+             __cplusplus / 100 % 100, optional_parts());
 }
 
 void print_help() {

@@ -26,12 +26,14 @@ std::filesystem::path gdal_module() {
 
 }  // namespace
 
+bool has_gdal() { return std::filesystem::exists(gdal_module()); }
+
 void* gdal_entry_point(const std::string& where, const char* entry, const std::string& conversion) {
   const std::filesystem::path module = gdal_module();
   if (!std::filesystem::exists(module))
     throw PluginError(fmt::format(
         "{}: reading this format needs GDAL, which this flyrock does not have: install its package "
-        "flyrock-gdal, or libgdal-dev and build flyrock again, or {}",
+        "flyrock-gdal, take the archive with GDAL, or build flyrock again with libgdal-dev, or {}",
         where, conversion));
   std::string fault;
   void* handle = open_shared_object(module.string(), fault);

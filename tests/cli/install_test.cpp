@@ -117,17 +117,24 @@ TEST_CASE("the installed program runs by itself, and templates of every kind are
   CHECK(other.err.find("version") != std::string::npos);
 }
 
-TEST_CASE("the archive runs with its own libraries only, and gives the same bytes", "[heavy]") {
-  const Folder folder;
+/// `archive.sh` with the build of this program, unpacked into `folder`/`name`.
+void unpack_archive(const Folder& folder, const std::string& name, const std::string& with) {
   const std::string build = fs::path(FLYROCK_BINARY).parent_path().parent_path().string();
-  const Output packed = shell(folder, "'" FLYROCK_SOURCE_DIR "/engine/archive.sh' '" + build + "' packed");
+  const Output packed =
+      shell(folder, "'" FLYROCK_SOURCE_DIR "/engine/archive.sh' '" + build + "' packed " + with);
   INFO(packed.out << packed.err);
   REQUIRE(packed.code == 0);
   CHECK(packed.err.empty());  // each library has its licence
-  REQUIRE(shell(folder,
-                "mkdir 'a place' && tar xzf packed/flyrock-*.tar.gz -C 'a place' --strip-components=1 && ln "
-                "-s 'a place/bin/flyrock' link && ln -s ../link 'a place/second'")
+  REQUIRE(shell(folder, "mkdir '" + name + "' && tar xzf packed/flyrock-*.tar.gz -C '" + name +
+                            "' --strip-components=1")
               .code == 0);
+  fs::remove_all(folder.path() / "packed");
+}
+
+TEST_CASE("the archive runs with its own libraries only, and gives the same bytes", "[heavy]") {
+  const Folder folder;
+  unpack_archive(folder, "a place", "");
+  REQUIRE(shell(folder, "ln -s 'a place/bin/flyrock' link && ln -s ../link 'a place/second'").code == 0);
   // No library of the system, by the list that the loader itself gives.
   const Output list =
       shell(folder,
@@ -156,6 +163,67 @@ TEST_CASE("the archive runs with its own libraries only, and gives the same byte
                           "/scenarios/quarry/fence_design.yaml --slurm -n 2 -o jobs")
             .code == 0);
   CHECK(read(folder.path() / "jobs/array.sbatch").find("/a place/bin/flyrock' run ") != std::string::npos);
+}
+
+/// A drawing with one line on the layer бровка, in the character set of old Russian Windows.
+std::string cyrillic_drawing() {
+  return "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n9\n$DWGCODEPAGE\n3\nANSI_1251\n0\nENDSEC\n"
+         "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n\xE1\xF0\xEE\xE2\xEA\xE0\n90\n2\n70\n0\n"
+         "10\n2600004\n20\n1200010\n10\n2600004\n20\n1200050\n0\nENDSEC\n0\nEOF\n";
+}
+
+TEST_CASE("the archive with GDAL needs no GDAL, PROJ or character sets of the system", "[heavy]") {
+  if (!has_gdal()) return;
+  const Folder folder;
+  // A root of nothing but a shell with its C library, the archive and a site.
+  if (shell(folder, "mkdir -p root/proc && unshare --map-root-user --mount mount --rbind /proc root/proc")
+          .code != 0) {
+    std::cout << "SKIPPED: mounts of its own are not allowed here\n";
+    return;
+  }
+  unpack_archive(folder, "root/flyrock", "gdal");
+  REQUIRE(
+      shell(
+          folder,
+          "mkdir root/bin && cp /bin/sh root/bin && for file in $(ldd /bin/sh | grep -o '/[^ ]*'); do mkdir "
+          "-p root/${file%/*} && cp -L $file root/$file; done")
+          .code == 0);
+  const std::string listed = read(folder.path() / "root/flyrock/share/doc/flyrock/licences/packages.txt");
+  for (const char* package : {"libgdal32 ", "libproj25 ", "proj-data ", "libpoppler"})
+    CHECK(listed.find(package) != std::string::npos);
+
+  folder.write("slope.obj",
+               "v 2600000 1200000 40\nv 2600080 1200000 0\nv 2600080 1200060 0\nv 2600000 1200060 40\n"
+               "f 1 2 3\nf 1 3 4\n");
+  folder.write("crest.dxf", cyrillic_drawing());
+  folder.write("road.geojson",  // in degrees
+               R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":)"
+               R"({"type":"LineString","coordinates":[[7.43930,46.95110],[7.43932,46.95158]]}}]})");
+  folder.write("site.yaml", R"(flyrock: 1
+dimension: 3
+method: lumped_mass
+trials: 20
+terrain: { type: mesh, file: slope.obj, crs: EPSG:2056, material: rock }
+materials: { rock: { restitution: { type: newton, en: 0.5 }, friction: { type: coulomb, mu: 0.4 } } }
+rocks:
+  - name: loose
+    density: 2700 kg/m3
+    shape: { type: sphere, radius: 0.3 m }
+    release: { along: { layer: crest.dxf, name: бровка }, above_ground: 1 m }
+    launch: { type: fixed, velocity: [8 m/s, 0 m/s, 0 m/s] }
+gates: [{ name: road, line: { layer: road.geojson } }]
+stop: { time: 60 s }
+)");
+  call_well(folder, "run site.yaml -o here --quiet");
+  const Output run = shell(
+      folder,
+      "cp slope.obj crest.dxf road.geojson site.yaml root && unshare --map-root-user --mount sh -c 'mount "
+      "--rbind "
+      "/proc root/proc && exec env -i \"$(command -v chroot)\" root /bin/sh -c \"/flyrock/bin/flyrock run "
+      "site.yaml -o there --quiet\"'");
+  INFO(run.out << run.err);
+  REQUIRE(run.code == 0);
+  CHECK(read(folder.path() / "root/there/rocks.csv") == read(folder.path() / "here/rocks.csv"));
 }
 
 }  // namespace flyrock::install_test

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "../geopackage.h"
@@ -63,10 +62,7 @@ std::string written_out(std::string text) {
 
 TEST_CASE("a workbook and a GeoPackage lead to the page of a permit, as your-own-terrain.md says", "[slow]") {
   const fs::path bin = fs::path(FLYROCK_BINARY).parent_path();
-  if (!fs::exists(bin.parent_path() / "lib/flyrock/flyrock_gdal.so")) {
-    std::cout << "SKIPPED: built without GDAL\n";
-    return;
-  }
+  if (!has_gdal()) return;
   const Folder folder;
   const std::string page = read(FLYROCK_SOURCE_DIR "/docs/your-own-terrain.md");
   const std::string scenario = block_of(page, "# blast_24.yaml");

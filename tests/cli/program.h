@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <stdexcept>
 #include <string>
@@ -48,6 +49,14 @@ class Folder {
  private:
   fs::path path_;
 };
+
+/// Whether the program reads the formats of GDAL; says SKIPPED where it does not.
+inline bool has_gdal() {
+  const bool there =
+      fs::exists(fs::path(FLYROCK_BINARY).parent_path().parent_path() / "lib/flyrock/flyrock_gdal.so");
+  if (!there) std::cout << "SKIPPED: built without GDAL\n";
+  return there;
+}
 
 struct Output {
   int code = -1;

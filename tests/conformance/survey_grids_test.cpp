@@ -406,8 +406,9 @@ TEST_CASE("a GeoTIFF is read by the module of GDAL, or its error names the packa
   if (std::filesystem::exists(FLYROCK_MODULE_DIR "/flyrock_gdal.so"))
     CHECK(error.find("not recognized as a supported file format") != std::string::npos);
   else
-    CHECK(error.find(" reading this format needs GDAL, which this flyrock does not have: install its package "
-                     "flyrock-gdal, or libgdal-dev") == 0);
+    CHECK(error.find(
+              " reading this format needs GDAL, which this flyrock does not have: install its package "
+              "flyrock-gdal, take the archive with GDAL, or build flyrock again with libgdal-dev, or ") == 0);
 }
 
 }  // namespace survey_grids_test
