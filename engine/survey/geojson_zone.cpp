@@ -11,6 +11,7 @@
 #include "document/wording.h"
 #include "geometry/plan_zone.h"
 #include "plugin/params.h"
+#include "survey/file_form.h"
 #include "units/units.h"
 
 namespace flyrock {
@@ -47,7 +48,7 @@ class PolygonReader {
 
   /// What to do with a file of another format.
   void refuse_other_formats(const std::string& text) const {
-    const std::string ending = lower(path_.substr(std::min(path_.rfind('.'), path_.size())));
+    const std::string ending = ending_of(path_);
     const bool is_kml = ending == ".kml" || ending == ".kmz" || text.find("<kml") < 1000;
     const bool is_layer = ending == ".shp" || ending == ".dbf" || ending == ".gpkg" || ending == ".gml";
     if (is_kml || is_layer)

@@ -11,6 +11,7 @@
 
 #include "plugin/params.h"
 #include "plugin/words.h"
+#include "survey/file_form.h"
 #include "survey/projection_file.h"
 #include "units/units.h"
 
@@ -19,10 +20,6 @@ namespace flyrock {
 namespace {
 
 constexpr std::size_t most_points = 100'000'000;
-
-std::string ending_of(const std::string& path) {
-  return lower(path.substr(std::min(path.rfind('.'), path.size())));
-}
 
 class CloudFile {
  public:
@@ -265,6 +262,9 @@ bool is_point_cloud(const std::string& path) {
 PointCloud read_point_cloud(const std::string& who, const std::string& path, std::optional<int> of_class) {
   const std::string ending = ending_of(path);
   if (ending == ".las" || ending == ".laz") return LasFile(who, path).read(of_class);
+  // Text has any ending; CloudCompare's is .asc.
+  if (const std::string other = other_form(path, "points"); !other.empty() && ending != ".asc")
+    throw PluginError(fmt::format("{}: {}: {}", who, path, other));
   if (of_class) throw PluginError(fmt::format("{}: {}: has no classes, leave `class` out", who, path));
   return XyzFile(who, path).read();
 }

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "plugin/params.h"
+#include "survey/file_form.h"
 #include "survey/gdal_module.h"
 #include "units/units.h"
 
@@ -14,19 +13,21 @@ namespace {
 
 RasterFile read_with_gdal(const std::string& who, const std::string& path, std::optional<double> no_data) {
   const std::string where = fmt::format("{}: {}", who, path);
+  const std::string other = other_form(path, "raster");
+  if (!other.empty() && !has_gdal()) throw PluginError(fmt::format("{}: {}", where, other));
   const auto read = reinterpret_cast<GdalReader>(
       gdal_entry_point(where, gdal_entry, "convert the file to an ESRI ASCII grid (.asc)"));
   RasterFile file;
   std::string wrong;
   read(path, no_data, file, wrong);
-  if (!wrong.empty()) throw PluginError(fmt::format("{}: {}", where, wrong));
+  if (!wrong.empty()) throw PluginError(fmt::format("{}: {}", where, other.empty() ? wrong : other));
   return file;
 }
 
 }  // namespace
 
 RasterFile read_raster_file(const std::string& who, const std::string& path, std::optional<double> no_data) {
-  const std::string ending = lower(path.substr(std::min(path.rfind('.'), path.size())));
+  const std::string ending = ending_of(path);
   const bool is_text = ending == ".asc" || ending == ".txt" || ending == ".grd";
   return is_text ? read_ascii_grid(who, path, no_data) : read_with_gdal(who, path, no_data);
 }

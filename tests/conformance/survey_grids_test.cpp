@@ -411,4 +411,28 @@ TEST_CASE("a GeoTIFF is read by the module of GDAL, or its error names the packa
               "flyrock-gdal, take the archive with GDAL, or build flyrock again with libgdal-dev, or ") == 0);
 }
 
+TEST_CASE("a file that another terrain reads is refused with the name of that terrain") {
+  const struct {
+    const char *terrain, *file, *says;
+  } wrong[] = {
+      {"raster", "scan.LAS", "is a cloud of points: as ground, the terrain `points` reads it"},
+      {"raster", "pit.obj", "is a surface of triangles: as ground, the terrain `mesh` reads it"},
+      {"raster", "pit.dxf", "is a drawing of CAD: as ground, the terrain `mesh` reads its 3D faces"},
+      {"mesh", "dem.tif", "is a grid of heights: as ground, the terrain `raster` reads it"},
+      {"mesh", "scan.xyz", "is a cloud of points: as ground, the terrain `points` reads it"},
+      {"mesh", "pit.dwg", "save it as DXF"},
+      {"mesh", "pit.doc", "expected a file whose name ends in .obj, .ply or .stl"},
+      {"points", "pit.ply", "is a surface of triangles: as ground, the terrain `mesh` reads it"},
+      {"points", "scan.e57", "save it as LAS or XYZ"},
+  };
+  for (const auto& [terrain, file, says] : wrong) {
+    const bool is_cloud = terrain == std::string("points");
+    const std::string error =
+        survey_error(terrain, TemporaryFile(file, "x"), is_cloud ? SurveyKeys{{"cell", 1.0}} : SurveyKeys{});
+    INFO(terrain << " " << file << ": " << error);
+    CHECK(error.find(says) != std::string::npos);
+    CHECK(error.find("GDAL") == std::string::npos);
+  }
+}
+
 }  // namespace survey_grids_test

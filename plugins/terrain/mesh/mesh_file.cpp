@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "plugin/params.h"
+#include "survey/file_form.h"
 #include "units/units.h"
 
 namespace flyrock::plugins {
@@ -27,18 +28,16 @@ bool is_convex_face(const std::vector<Vec3>& vertices, const std::vector<int>& f
 }
 
 /// What to do with a file of another format.
-std::string way_to_obj(const std::string& ending) {
-  if (ending == ".dxf")
+std::string way_to_obj(const std::string& path) {
+  if (ending_of(path) == ".dxf")
     return "is a drawing of CAD: export its 3D faces as OBJ, with three decimals or more; only a terrain "
            "reads "
            "them as DXF";
-  if (ending == ".dwg")
-    return "is a drawing of CAD in a format of one program: save it as DXF, of which a terrain reads the 3D "
-           "faces, or export them as OBJ, with three decimals or more";
-  if (ending == ".las" || ending == ".laz" || ending == ".xyz" || ending == ".e57" || ending == ".pts")
-    return "is a cloud of points: make a grid (GeoTIFF, .asc) for the terrain `raster` of it, or triangles "
-           "(OBJ)";
-  return "expected a file whose name ends in .obj, .ply or .stl; of a terrain also .xml (LandXML) or .dxf";
+  const std::string other = other_form(path, "mesh");
+  return other.empty()
+             ? "expected a file whose name ends in .obj, .ply or .stl; of a terrain also .xml (LandXML) "
+               "or .dxf"
+             : other;
 }
 
 }  // namespace
@@ -76,11 +75,11 @@ void note_single_precision(MeshFile& file) {
 }
 
 MeshFile read_mesh(const std::string& plugin, const std::string& path, PartsOf parts) {
-  const std::string ending = lower(path.substr(std::min(path.rfind('.'), path.size())));
+  const std::string ending = ending_of(path);
   if (ending == ".obj") return read_obj(plugin, path, parts);
   if (ending == ".ply") return read_ply(plugin, path);
   if (ending == ".stl") return read_stl(plugin, path);
-  throw PluginError(fmt::format("plugin {}: {}: {}", plugin, path, way_to_obj(ending)));
+  throw PluginError(fmt::format("plugin {}: {}: {}", plugin, path, way_to_obj(path)));
 }
 
 }  // namespace flyrock::plugins
