@@ -4,22 +4,21 @@
 
 #include <array>
 #include <filesystem>
-#include <utility>
 
 #include "cli/result_folder.h"
-#include "cli/run_program.h"
 #include "cli/terminal.h"
 #include "document/wording.h"
 #include "report/exports/export_asc.h"
 #include "report/exports/export_csv.h"
 #include "report/exports/export_dxf.h"
+#include "report/exports/export_gdal.h"
 #include "report/exports/export_geojson.h"
 #include "report/exports/export_gltf.h"
 #include "report/exports/export_hdf5.h"
 #include "report/exports/export_obj.h"
 #include "report/exports/export_vtk.h"
-#include "report/tables/stored_scene.h"
 #include "solver/hdf5_file.h"
+#include "survey/gdal_module.h"
 
 namespace flyrock::cli {
 
@@ -27,56 +26,6 @@ namespace po = boost::program_options;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Maps as GeoTIFF with numbers of 64 bits: the ASCII grids, as the program gdal_translate reads them.
-std::vector<fs::path> export_tif(const fs::path& results, const fs::path& folder) {
-  const std::string crs = stored_crs(SqliteReader(results));
-  std::vector<fs::path> files = export_asc(results, folder);
-  for (fs::path& file : files) {
-    const fs::path grid = file;
-    file.replace_extension(".tif");
-    std::vector<std::string> words = {"gdal_translate", "-q", "-of", "GTiff", "-oo", "DATATYPE=Float64"};
-    if (!crs.empty()) words.insert(words.end(), {"-a_srs", crs});
-    words.insert(words.end(), {grid.string(), file.string()});
-    const bool made = run_program(words);
-    fs::remove(grid);
-    fs::remove(fs::path(grid).replace_extension(".vrt"));
-    if (!made) throw InputError(fmt::format("{}: GDAL's gdal_translate cannot write it", file.string()));
-  }
-  return files;
-}
-
-/// "paths-p0" as its layer, and the sweep point, "p0".
-std::pair<std::string, std::string> layer_and_point(const fs::path& file) {
-  const std::string stem = file.stem().string();
-  const std::size_t cut = stem.rfind('-');
-  return {stem.substr(0, cut), stem.substr(cut + 1)};
-}
-
-/// A GeoPackage for each sweep point: the GeoJSON files as its layers, as the program ogr2ogr reads them.
-std::vector<fs::path> export_gpkg(const fs::path& results, const fs::path& folder) {
-  const std::string crs = stored_crs(SqliteReader(results));
-  std::vector<fs::path> packages;
-  for (const fs::path& layer : export_geojson(results, folder)) {
-    const auto [name, point] = layer_and_point(layer);
-    const fs::path package = folder / fmt::format("results-{}.gpkg", point);
-    const bool is_new = packages.empty() || packages.back() != package;
-    if (is_new) {
-      fs::remove(package);
-      packages.push_back(package);
-    }
-    std::vector<std::string> words = {"ogr2ogr", "-f", "GPKG", "-nln", name};
-    words.insert(words.end(), {"-a_srs", crs.empty() ? "NONE" : crs});
-    // The time of the change would differ in each export.
-    words.insert(words.end(), {"--config", "OGR_CURRENT_DATE", "2000-01-01T00:00:00.000Z"});
-    if (!is_new) words.insert(words.end(), {"-update", "-append"});
-    words.insert(words.end(), {package.string(), layer.string()});
-    const bool made = run_program(words);
-    fs::remove(layer);
-    if (!made) throw InputError(fmt::format("{}: GDAL's ogr2ogr cannot write it", package.string()));
-  }
-  return packages;
-}
 
 std::vector<fs::path> export_h5(const fs::path& results, const fs::path& folder) {
   if (!has_hdf5())
@@ -91,8 +40,7 @@ struct Format {
   /// Writes the database into a folder and returns the files.
   std::vector<fs::path> (*write)(const fs::path& results, const fs::path& folder);
   const char* nothing;  ///< message if no file is written
-  /// The program of GDAL that it needs, and the format that writes the same without; null: none.
-  const char* program = nullptr;
+  /// The format that writes the same without GDAL, which this one needs; null: it does not.
   const char* instead = nullptr;
   const char* same = nullptr;
 };
@@ -111,10 +59,10 @@ constexpr std::array<Format, 10> formats = {{
     {"dxf", export_dxf, "this result has no places"},
     {"geojson", export_geojson, no_plan},
     {"gltf", export_gltf, no_paths},
-    {"gpkg", export_gpkg, no_plan, "ogr2ogr", "geojson", "the same layers"},
+    {"gpkg", export_gpkg, no_plan, "geojson", "the same layers"},
     {"hdf5", export_h5, ""},
     {"obj", export_obj, "this result has no blocks between joints"},
-    {"tif", export_tif, no_maps, "gdal_translate", "asc", "the same maps"},
+    {"tif", export_tif, no_maps, "asc", "the same maps"},
     {"vtk", export_vtk, no_paths},
 }};
 
@@ -123,10 +71,11 @@ const Format& format_of(const std::string& name) {
   for (const Format& format : formats) {
     names.emplace_back(format.name);
     if (name != format.name) continue;
-    if (format.program && !has_program(format.program))
+    if (format.instead && !has_gdal())
       throw UsageError(
-          fmt::format("--to {} needs the program {} (Debian: gdal-bin); --to {} writes {} without it", name,
-                      format.program, format.instead, format.same));
+          fmt::format("--to {} needs GDAL, which this flyrock does not have (Debian: flyrock-gdal); --to {} "
+                      "writes {} without it",
+                      name, format.instead, format.same));
     return format;
   }
   throw UsageError(fmt::format("--to: unknown format `{}`{}", name, suggestion(name, names)));

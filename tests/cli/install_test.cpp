@@ -214,16 +214,19 @@ rocks:
 gates: [{ name: road, line: { layer: road.geojson } }]
 stop: { time: 60 s }
 )");
-  call_well(folder, "run site.yaml -o here --quiet");
+  folder.write("commands", "set -e\nflyrock run site.yaml -o out --quiet\nflyrock export out --to gpkg\n");
+  const std::string bin = fs::path(FLYROCK_BINARY).parent_path();
+  REQUIRE(shell(folder, "cp slope.obj crest.dxf road.geojson site.yaml commands root && PATH='" + bin +
+                            "':$PATH sh commands")
+              .code == 0);
   const Output run = shell(
       folder,
-      "cp slope.obj crest.dxf road.geojson site.yaml root && unshare --map-root-user --mount sh -c 'mount "
-      "--rbind "
-      "/proc root/proc && exec env -i \"$(command -v chroot)\" root /bin/sh -c \"/flyrock/bin/flyrock run "
-      "site.yaml -o there --quiet\"'");
+      "unshare --map-root-user --mount sh -c 'mount --rbind /proc root/proc && exec env -i PATH=/flyrock/bin "
+      "\"$(command -v chroot)\" root /bin/sh commands'");
   INFO(run.out << run.err);
   REQUIRE(run.code == 0);
-  CHECK(read(folder.path() / "root/there/rocks.csv") == read(folder.path() / "here/rocks.csv"));
+  for (const char* file : {"out/rocks.csv", "out/gpkg/results-p0.gpkg"})
+    CHECK(read(folder.path() / "root" / file) == read(folder.path() / file));
 }
 
 }  // namespace flyrock::install_test
