@@ -559,14 +559,11 @@ class World {
     double residual = 0;  ///< m/s
     double since = 0;     ///< s
   };
-  std::vector<Unsolved> unsolved_;             ///< of each body: residual and time of its last solve
-  std::vector<Row> after_;                     ///< velocities of the contacts after the step or impact
-  std::vector<Row> last_after_;                ///< of last_, while a step may still be given up
-  std::vector<Row> start_;                     ///< start impulses, kept only if hard problems are reported
-  std::vector<std::vector<int>> contacts_of_;  ///< [body], for bodies that contacts move
-  /// Of each contact, and the contacts of each assembly of links; empty: no links
-  std::vector<std::vector<typename Links<D>::Reaction>> reactions_;
-  std::vector<std::vector<int>> contacts_of_assembly_;
+  std::vector<Unsolved> unsolved_;               ///< of each body: residual and time of its last solve
+  std::vector<Row> after_;                       ///< velocities of the contacts after the step or impact
+  std::vector<Row> last_after_;                  ///< of last_, while a step may still be given up
+  std::vector<Row> start_;                       ///< start impulses, kept only if hard problems are reported
+  std::vector<std::vector<int>> contacts_of_;    ///< [body], for bodies that contacts move
   std::vector<typename Problem::Block> blocks_;  ///< that couple a contact to each other one
   Islands<D> islands_;
   std::vector<double> island_speed_;
