@@ -47,15 +47,17 @@ void start_at(const LastState& last, const Vec3& origin, Body<D>& body) {
     body.attitude = Rotation3(Eigen::Quaterniond(last.turn[0], last.turn[1], last.turn[2], last.turn[3]));
 }
 
-/// The tolerance of dense steps: as given, else 1e-4 at the stop speed of 50 mm/s or above, and in proportion
-/// below. A body at rest changes its speed by less than a thousandth of the stop speed (flight/rest.h), and
-/// what a solve leaves changes the speed of bodies in a pile by some ten times the residual.
+/// The tolerance of dense steps: as given, else 1e-4 where bodies come to rest below 50 mm/s or above, and in
+/// proportion below: by the least speed of `stop` and `settle`. A body at rest changes its speed by less than
+/// a thousandth of it (flight/rest.h), and what a solve leaves changes the speed of bodies in a pile by some
+/// ten times the residual.
 double dense_tolerance(const Scenario& scenario) {
   constexpr double usual = 1e-4;  // found by measurement, see docs/numerics.md
   if (scenario.solver.dense.tolerance) return *scenario.solver.dense.tolerance;
-  if (scenario.stop.speed == 0) return usual;  // nothing comes to rest
-  const double share = std::min(1.0, scenario.stop.speed / StopPlan().speed);
-  return std::max(scenario.solver.tolerance, usual * share);
+  double at_rest = StopPlan().speed;
+  for (const double speed : {scenario.stop.speed, scenario.settle ? scenario.settle->until : 0})
+    if (speed > 0) at_rest = std::min(at_rest, speed);  // at 0 nothing comes to rest
+  return std::max(scenario.solver.tolerance, usual * (at_rest / StopPlan().speed));
 }
 
 bool is_random(const std::optional<Release>& release) {

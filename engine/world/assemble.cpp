@@ -233,22 +233,16 @@ void World<D>::assemble(double h, double warm) {
 /// What the contacts do to the rows of links.
 template <int D>
 void World<D>::find_reactions() {
-  reactions_.clear();
-  contacts_of_assembly_.assign(links.assemblies(), {});
-  for (int a = 0; a < static_cast<int>(contacts_.size()); ++a) {
-    reactions_.push_back(links.reactions(bodies, {contacts_[a].candidate, contacts_[a].antagonist},
-                                         {rows_[a].candidate, rows_[a].antagonist}));
-    for (const auto& reaction : reactions_.back()) contacts_of_assembly_[reaction.assembly].push_back(a);
-  }
+  links.forget_reactions();
+  for (int a = 0; a < static_cast<int>(contacts_.size()); ++a)
+    links.add_reactions(bodies, a, {contacts_[a].candidate, contacts_[a].antagonist},
+                        {rows_[a].candidate, rows_[a].antagonist});
 }
 
 /// Takes from the blocks of W in the row of contact a what links hold, and keeps them.
 template <int D>
 void World<D>::couple_by_links(int a) {
-  for (const auto& own : reactions_[a])
-    for (const int b : contacts_of_assembly_[own.assembly])
-      for (const auto& other : reactions_[b])
-        if (other.assembly == own.assembly) blocks_[b].noalias() -= own.b.transpose() * other.b;
+  links.take_reactions(a, blocks_);
   problem_.contacts[a].w += blocks_[a];
   for (int b = 0; b < static_cast<int>(contacts_.size()); ++b)
     if (b != a && !blocks_[b].isZero(0)) problem_.couple(b, blocks_[b]);

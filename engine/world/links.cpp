@@ -114,15 +114,15 @@ double Links<D>::rounding(const Row& row, const Bodies& bodies) const {
 
 /// The moments of all bodies if they go on with their velocities for dt.
 template <int D>
-std::vector<Moment<D>> Links<D>::moments_ahead(const Bodies& bodies, double dt) const {
-  std::vector<Moment<D>> moments;
+std::span<const Moment<D>> Links<D>::moments_ahead(const Bodies& bodies, double dt) {
+  ahead_.clear();
   for (const Body<D>& body : bodies) {
-    moments.push_back(moment_of(body));
+    ahead_.push_back(moment_of(body));
     if (dt == 0 || !body.present || body.kind == BodyKind::fixed) continue;
-    moments.back().x += dt * body.v;
-    moments.back().attitude = body.attitude.turned(dt * body.w);
+    ahead_.back().x += dt * body.v;
+    ahead_.back().attitude = body.attitude.turned(dt * body.w);
   }
-  return moments;
+  return ahead_;
 }
 
 /// The function e of a row.
@@ -242,7 +242,7 @@ void Links<D>::begin_step(const Bodies& bodies, std::span<const Moment<D>> start
   h_ = h;
   theta_ = theta;
   make_rows(bodies);
-  const std::vector<Moment<D>> ends = moments_ahead(bodies, theta * h);
+  const std::span<const Moment<D>> ends = moments_ahead(bodies, theta * h);
   for (Row& row : rows_) {
     const LinkType type = links_[row.link].type;
     row.start = value(row, starts);
@@ -257,7 +257,7 @@ template <int D>
 bool Links<D>::keeps_step(const Bodies& bodies, std::span<const Moment<D>> starts) {
   constexpr int most = 2;
   if (rows_.empty()) return true;
-  const std::vector<Moment<D>> ends = moments_ahead(bodies, theta_ * h_);
+  const std::span<const Moment<D>> ends = moments_ahead(bodies, theta_ * h_);
   bool keeps = true;
   for (Row& row : rows_) {
     const double end = value(row, ends), rounds = rounding(row, bodies);
@@ -282,12 +282,12 @@ bool Links<D>::keeps_step(const Bodies& bodies, std::span<const Moment<D>> start
 template <int D>
 bool Links<D>::turns(std::span<const Moment<D>> starts, std::span<const Moment<D>> ends) {
   constexpr double rounding_of_g = 1e-10;
-  std::vector<Row> at_end = rows_;
-  rows_.swap(at_end);
+  rows_at_end_ = rows_;
+  rows_.swap(rows_at_end_);
   set_gradients(starts, ends);
-  rows_.swap(at_end);
+  rows_.swap(rows_at_end_);
   for (std::size_t k = 0; k < rows_.size(); ++k) {
-    const Row &old = rows_[k], &now = at_end[k];
+    const Row &old = rows_[k], &now = rows_at_end_[k];
     const double change = (now.of_a - old.of_a).norm() + (now.of_b - old.of_b).norm();
     if (old.acts && change > rounding_of_g * (old.of_a.norm() + old.of_b.norm())) return true;
   }
@@ -299,7 +299,7 @@ void Links<D>::begin_instant(const Bodies& bodies) {
   constexpr double tight = 1e-9;  // of the length
   h_ = 0;
   make_rows(bodies);
-  const std::vector<Moment<D>> now = moments_ahead(bodies, 0);
+  const std::span<const Moment<D>> now = moments_ahead(bodies, 0);
   set_gradients(now, now);
   for (Row& row : rows_) {
     row.start = value(row, now);
@@ -342,20 +342,20 @@ bool Links<D>::keeps_instant(const Bodies& bodies) {
 template <int D>
 void Links<D>::end_step(Bodies& bodies) {
   note_impulses(true);
-  std::vector<int> pulled;
+  pulled_.clear();
   bool any_taut = false;
   for (const Row& row : rows_) {
     if (links_[row.link].type != LinkType::rope || !row.acts || row.impulse >= 0) continue;
-    pulled.push_back(row.link);
+    pulled_.push_back(row.link);
     any_taut = any_taut || row.start < 0;
   }
   if (!any_taut) return;
   make_rows(bodies);
-  const std::vector<Moment<D>> now = moments_ahead(bodies, 0);
+  const std::span<const Moment<D>> now = moments_ahead(bodies, 0);
   set_gradients(now, now);
   for (Row& row : rows_)
     if (links_[row.link].type == LinkType::rope)
-      row.acts = std::find(pulled.begin(), pulled.end(), row.link) != pulled.end();
+      row.acts = std::find(pulled_.begin(), pulled_.end(), row.link) != pulled_.end();
   factorise(bodies);
   hold(bodies);
   note_impulses(false);
@@ -387,27 +387,28 @@ void Links<D>::join(const Bodies& bodies, JoinedBodies& joined) const {
 template <int D>
 void Links<D>::factorise(const Bodies& bodies) {
   constexpr double dependent = 1e-11;  // a pivot below it: other rows hold this one
-  JoinedBodies joined;
-  joined.begin(bodies.size());
-  join(bodies, joined);
-  assemblies_.clear();
+  joined_.begin(bodies.size());
+  join(bodies, joined_);
+  used_assemblies_ = 0;
   assembly_of_.assign(bodies.size(), -1);
   fastest_ = 0;
   for (int k = 0; k < static_cast<int>(rows_.size()); ++k) {
     if (!rows_[k].acts) continue;
     const Link<D>& link = links_[rows_[k].link];
-    const int island = joined.island(bodies[link.a].moves() ? link.a : link.b);
+    const int island = joined_.island(bodies[link.a].moves() ? link.a : link.b);
     if (assembly_of_[island] < 0) {
-      assembly_of_[island] = static_cast<int>(assemblies_.size());
-      assemblies_.emplace_back();
+      assembly_of_[island] = static_cast<int>(used_assemblies_++);
+      if (assemblies_.size() < used_assemblies_) assemblies_.emplace_back();
+      assemblies_[assembly_of_[island]].rows.clear();
     }
     assemblies_[assembly_of_[island]].rows.push_back(k);
   }
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (bodies[i].moves()) assembly_of_[i] = assembly_of_[joined.island(static_cast<int>(i))];
-  for (Assembly& assembly : assemblies_) {
+    if (bodies[i].moves()) assembly_of_[i] = assembly_of_[joined_.island(static_cast<int>(i))];
+  for (Assembly& assembly : assemblies()) {
     const auto n = static_cast<Eigen::Index>(assembly.rows.size());
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
+    Eigen::MatrixXd& matrix = assembly.matrix;
+    matrix.setZero(n, n);
     const auto side = [&](const Row& row, int body) -> const Columns* {
       const Link<D>& link = links_[row.link];
       return link.a == body ? &row.of_a : link.b == body ? &row.of_b : nullptr;
@@ -427,38 +428,47 @@ void Links<D>::factorise(const Bodies& bodies) {
       matrix(i, i) += row.compliance;
     }
     assembly.scale = matrix.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 0; });
-    assembly.factors.compute(assembly.scale.asDiagonal() * matrix * assembly.scale.asDiagonal());
+    matrix = assembly.scale.asDiagonal() * matrix * assembly.scale.asDiagonal();
+    assembly.factors.compute(matrix);
     assembly.root = assembly.factors.vectorD().unaryExpr(
         [&](double pivot) { return pivot > dependent ? 1 / std::sqrt(pivot) : 0; });
   }
 }
 
+/// Multiplies by L^-1, in place.
 template <int D>
-Eigen::MatrixXd Links<D>::Assembly::half_solved(const Eigen::MatrixXd& right) const {
-  const Eigen::MatrixXd scaled = factors.transpositionsP() * (scale.asDiagonal() * right);
-  return root.asDiagonal() * Eigen::MatrixXd(factors.matrixL().solve(scaled));
+template <class Right>
+void Links<D>::Assembly::half_solve(Right& values) const {
+  values = scale.asDiagonal() * values;
+  values = factors.transpositionsP() * values;
+  factors.matrixL().solveInPlace(values);
+  values = root.asDiagonal() * values;
 }
 
+/// Of its right-hand side.
 template <int D>
-Eigen::VectorXd Links<D>::Assembly::solved(const Eigen::VectorXd& right) const {
-  const Eigen::MatrixXd half = root.asDiagonal() * half_solved(right);
-  const Eigen::MatrixXd back = factors.matrixU().solve(half);
-  return scale.asDiagonal() * (factors.transpositionsP().transpose() * back);
+void Links<D>::Assembly::solve() {
+  half_solve(right);
+  right = root.asDiagonal() * right;
+  factors.matrixU().solveInPlace(right);
+  right = factors.transpositionsP().transpose() * right;
+  right = scale.asDiagonal() * right;
 }
 
 template <int D>
 void Links<D>::hold(Bodies& bodies) {
-  for (const Assembly& assembly : assemblies_) {
-    Eigen::VectorXd right(assembly.rows.size());
+  for (Assembly& assembly : assemblies()) {
+    Eigen::VectorXd& right = assembly.right;
+    right.resize(static_cast<Eigen::Index>(assembly.rows.size()));
     for (std::size_t i = 0; i < assembly.rows.size(); ++i) {
       const Row& row = rows_[assembly.rows[i]];
       right[static_cast<Eigen::Index>(i)] = row.target - rate(row, bodies) - row.compliance * row.impulse;
     }
-    const Eigen::VectorXd impulses = assembly.solved(right);
+    assembly.solve();
     for (std::size_t i = 0; i < assembly.rows.size(); ++i) {
       Row& row = rows_[assembly.rows[i]];
       const Link<D>& link = links_[row.link];
-      const double impulse = impulses[static_cast<Eigen::Index>(i)];
+      const double impulse = right[static_cast<Eigen::Index>(i)];
       row.impulse += impulse;
       bodies[link.a].add_velocity(bodies[link.a].inverse_mass_times(impulse * row.of_a));
       if (link.b >= 0) bodies[link.b].add_velocity(bodies[link.b].inverse_mass_times(impulse * row.of_b));
@@ -467,9 +477,10 @@ void Links<D>::hold(Bodies& bodies) {
 }
 
 template <int D>
-void Links<D>::hold(const Bodies& bodies, std::vector<Columns>& displacements) const {
-  for (const Assembly& assembly : assemblies_) {
-    Eigen::VectorXd right(assembly.rows.size());
+void Links<D>::hold(const Bodies& bodies, std::vector<Columns>& displacements) {
+  for (Assembly& assembly : assemblies()) {
+    Eigen::VectorXd& right = assembly.right;
+    right.resize(static_cast<Eigen::Index>(assembly.rows.size()));
     for (std::size_t i = 0; i < assembly.rows.size(); ++i) {
       const Row& row = rows_[assembly.rows[i]];
       const Link<D>& link = links_[row.link];
@@ -478,11 +489,11 @@ void Links<D>::hold(const Bodies& bodies, std::vector<Columns>& displacements) c
       right[static_cast<Eigen::Index>(i)] = -moved;
     }
     if (right.isZero(0)) continue;
-    const Eigen::VectorXd pushes = assembly.solved(right);
+    assembly.solve();
     for (std::size_t i = 0; i < assembly.rows.size(); ++i) {
       const Row& row = rows_[assembly.rows[i]];
       const Link<D>& link = links_[row.link];
-      const double push = pushes[static_cast<Eigen::Index>(i)];
+      const double push = right[static_cast<Eigen::Index>(i)];
       displacements[link.a] += bodies[link.a].inverse_mass_times(push * row.of_a);
       if (link.b >= 0) displacements[link.b] += bodies[link.b].inverse_mass_times(push * row.of_b);
     }
@@ -510,14 +521,24 @@ typename Links<D>::Work Links<D>::work(const Bodies& bodies) const {
 }
 
 template <int D>
-std::vector<typename Links<D>::Reaction> Links<D>::reactions(
-    const Bodies& bodies, const std::array<int, 2>& of,
-    const std::array<ContactColumns<D>, 2>& columns) const {
-  std::vector<Reaction> reactions;
-  for (const int assembly : {of[0] < 0 ? -1 : assembly_of_[of[0]], of[1] < 0 ? -1 : assembly_of_[of[1]]}) {
-    if (assembly < 0 || (!reactions.empty() && reactions.front().assembly == assembly)) continue;
+void Links<D>::forget_reactions() {
+  reactions_.clear();
+  values_of_reactions_.clear();
+}
+
+template <int D>
+void Links<D>::add_reactions(const Bodies& bodies, int contact, const std::array<int, 2>& of,
+                             const std::array<ContactColumns<D>, 2>& columns) {
+  const auto assembly_of = [&](int body) { return body < 0 ? -1 : assembly_of_[body]; };
+  const std::array<int, 2> known = {assembly_of(of[0]), assembly_of(of[1])};
+  for (std::size_t side = 0; side < known.size(); ++side) {
+    const int assembly = known[side];
+    if (assembly < 0 || (side > 0 && assembly == known[0])) continue;
     const std::vector<int>& rows = assemblies_[assembly].rows;
-    Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(rows.size(), Problem::rows);
+    const std::size_t first = values_of_reactions_.size();
+    values_of_reactions_.resize(first + rows.size() * Problem::rows, 0.0);
+    Eigen::Map<Reacted> moved(values_of_reactions_.data() + first, static_cast<Eigen::Index>(rows.size()),
+                              Problem::rows);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const Row& row = rows_[rows[i]];
       const Link<D>& link = links_[row.link];
@@ -527,9 +548,25 @@ std::vector<typename Links<D>::Reaction> Links<D>::reactions(
         moved.row(static_cast<Eigen::Index>(i)) += mobility.transpose() * columns[k];
       }
     }
-    reactions.push_back({assembly, assemblies_[assembly].half_solved(moved)});
+    assemblies_[assembly].half_solve(moved);
+    reactions_.push_back({contact, assembly, static_cast<std::ptrdiff_t>(first)});
   }
-  return reactions;
+}
+
+template <int D>
+Eigen::Map<const typename Links<D>::Reacted> Links<D>::reacted(const Reaction& reaction) const {
+  const auto rows = static_cast<Eigen::Index>(assemblies_[reaction.assembly].rows.size());
+  return {values_of_reactions_.data() + reaction.first, rows, Problem::rows};
+}
+
+template <int D>
+void Links<D>::take_reactions(int a, std::vector<typename Problem::Block>& blocks) const {
+  for (const Reaction& own : reactions_) {
+    if (own.contact != a) continue;
+    for (const Reaction& other : reactions_)
+      if (other.assembly == own.assembly)
+        blocks[other.contact].noalias() -= reacted(own).transpose() * reacted(other);
+  }
 }
 
 template class Links<2>;

@@ -55,7 +55,8 @@ struct Link {
   double tension = 0;               ///< N s, along the link, positive where it pulls; of a hinge |impulse|
 };
 
-/// The links of a world. Instantiated for D = 2, 3.
+/// The links of a world. They allocate only where an assembly has other rows than before. Instantiated for
+/// D = 2, 3.
 template <int D>
 class Links {
  public:
@@ -93,7 +94,7 @@ class Links {
   /// to those since the begin.
   void hold(Bodies& bodies);
   /// The same for small displacements.
-  void hold(const Bodies& bodies, std::vector<Columns>& displacements) const;
+  void hold(const Bodies& bodies, std::vector<Columns>& displacements);
   /// Whether the solved step keeps the links; the bodies are in its middle, with their new velocities. If
   /// not, the rows are ready for another solve of the same step, from its free velocities.
   bool keeps_step(const Bodies& bodies, std::span<const Moment<D>> starts);
@@ -109,17 +110,15 @@ class Links {
   /// In the step that is solved.
   Work work(const Bodies& bodies) const;
 
-  /// What a contact with columns H^T does to the rows of the links of its bodies: L^-1 G M^-1 H, where
+  /// What a contact with columns H^T does to the rows of the links of its bodies: B = L^-1 G M^-1 H, where
   /// G M^-1 G^T + C = L L^T. The mobility of the contacts a and b is less by B_a^T B_b, summed over the
   /// assemblies.
-  struct Reaction {
-    int assembly;
-    Eigen::Matrix<double, Eigen::Dynamic, Problem::rows> b;
-  };
+  void forget_reactions();
   /// Of a contact of two bodies (-1: the terrain), with the columns H^T of each.
-  std::vector<Reaction> reactions(const Bodies& bodies, const std::array<int, 2>& of,
-                                  const std::array<ContactColumns<D>, 2>& columns) const;
-  int assemblies() const { return static_cast<int>(assemblies_.size()); }
+  void add_reactions(const Bodies& bodies, int contact, const std::array<int, 2>& of,
+                     const std::array<ContactColumns<D>, 2>& columns);
+  /// Takes B_a^T B_b from the block of each contact b.
+  void take_reactions(int a, std::vector<typename Problem::Block>& blocks) const;
   /// Joins the bodies that links move together.
   void join(const Bodies& bodies, JoinedBodies& joined) const;
 
@@ -141,11 +140,20 @@ class Links {
   struct Assembly {
     std::vector<int> rows;
     Eigen::LDLT<Eigen::MatrixXd> factors;
+    Eigen::MatrixXd matrix;
     Eigen::VectorXd scale;  ///< of the rows
     Eigen::VectorXd root;   ///< of the inverse pivots
-    Eigen::MatrixXd half_solved(const Eigen::MatrixXd& right) const;
-    Eigen::VectorXd solved(const Eigen::VectorXd& right) const;
+    Eigen::VectorXd right;  ///< right-hand side of the system, and its solution
+    template <class Right>
+    void half_solve(Right& values) const;
+    void solve();
   };
+  /// B of one contact and one assembly, with as many rows as this.
+  struct Reaction {
+    int contact, assembly;
+    std::ptrdiff_t first;  ///< in values_of_reactions_
+  };
+  using Reacted = Eigen::Matrix<double, Eigen::Dynamic, Problem::rows>;
 
   bool is_rigid(const Row& row) const {
     const LinkType type = links_[row.link].type;
@@ -154,7 +162,7 @@ class Links {
   double rounding(const Row& row, const Bodies& bodies) const;
   bool is_present(const Link<D>& link, const Bodies& bodies) const;
   void make_rows(const Bodies& bodies);
-  std::vector<Moment<D>> moments_ahead(const Bodies& bodies, double dt) const;
+  std::span<const Moment<D>> moments_ahead(const Bodies& bodies, double dt);
   double value(const Row& row, std::span<const Moment<D>> at) const;
   void set_gradients(std::span<const Moment<D>> from, std::span<const Moment<D>> to);
   double rate(const Row& row, const Bodies& bodies) const;
@@ -163,10 +171,18 @@ class Links {
   bool turns(std::span<const Moment<D>> starts, std::span<const Moment<D>> ends);
   void factorise(const Bodies& bodies);
   void note_impulses(bool anew);
+  std::span<Assembly> assemblies() { return std::span(assemblies_).first(used_assemblies_); }
+  Eigen::Map<const Reacted> reacted(const Reaction& reaction) const;
 
   std::vector<Link<D>> links_;
-  std::vector<Row> rows_;
+  std::vector<Row> rows_, rows_at_end_;
+  std::vector<Moment<D>> ahead_;  ///< what moments_ahead has given
+  std::vector<int> pulled_;       ///< the ropes that pulled in a step
+  JoinedBodies joined_;
   std::vector<Assembly> assemblies_;
+  std::size_t used_assemblies_ = 0;  ///< the others wait with their memory
+  std::vector<Reaction> reactions_;
+  std::vector<double> values_of_reactions_;
   std::vector<int> assembly_of_;  ///< [body]; -1: none
   double h_ = 0, theta_ = 0.5;    ///< of the step; h = 0: an impact
   double fastest_ = 0;

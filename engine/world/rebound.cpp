@@ -246,6 +246,12 @@ void World<D>::record_impacts() {
   }
 }
 
+/// Up to which a speed of a contact is what the solver leaves [m/s].
+template <int D>
+double World<D>::rounding_of_solver(const Contact& contact) const {
+  return 10 * tolerance() * contact.speed_scale + 1e-14 * contact.before.norm();
+}
+
 /// Whether contact a counts as closed after an impact or a step of length `duration` [s]. A contact with
 /// restitution opens at any positive speed. Any other contact opens only above g h / 2. A slower contact
 /// would close again within one step, and a rocking block would never come to rest. A node of a deformable
@@ -259,8 +265,23 @@ bool World<D>::stays_closed(int a, double duration) const {
   if (contact.law.condition == NormalCondition::penalty)
     return speed <= 0 || contact.at.gap + contact.born + settings_.theta * duration * speed <= 0;
   if (contact.manifold >= 0 && contact.law.e_n > 0) return speed <= 0;
-  const double within_tolerance = 10 * tolerance() * contact.speed_scale + 1e-14 * contact.before.norm();
-  return speed <= std::max(within_tolerance, 0.5 * g_ * settings_.time_step);
+  return speed <= std::max(rounding_of_solver(contact), 0.5 * g_ * settings_.time_step);
+}
+
+/// Whether friction bears all it can at contact a, in an impact or a step of length `duration` [s].
+template <int D>
+bool World<D>::is_at_bound(int a, double duration) const {
+  const Contact& contact = contacts_[a];
+  const double most = contact.mu() * contact.impulse[0] + duration * contact.law.c_t;
+  return tangential(contact.impulse).norm() >= (1 - 1e-9) * most;
+}
+
+/// Whether contact a sticks: it does not slip, or friction could bear more, as where a tangential spring or
+/// restitution moves it. The force alone does not tell it: a body on several contacts may share its friction
+/// among them in many ways, so that one of them bears all it can although nothing slips.
+template <int D>
+bool World<D>::sticks(int a) const {
+  return !contacts_[a].at_bound || tangential(after_[a]).norm() <= rounding_of_solver(contacts_[a]);
 }
 
 /// The stretch of the tangential spring of contact a after a step of length `duration` [s]: in its middle the
@@ -278,16 +299,19 @@ Vec<D> World<D>::stretch_after(int a, double duration) const {
          (middle + settings_.theta * duration * tangential(after_[a]));
 }
 
-#define FLYROCK_INSTANTIATE(D)                             \
-  template void World<D>::apply_laws(double);              \
-  template SolveResult World<D>::solve();                  \
-  template void World<D>::solve_and_apply();               \
-  template void World<D>::solve_instant();                 \
-  template void World<D>::measure_after(double);           \
-  template double World<D>::energy_of(int) const;          \
-  template void World<D>::find_shocks(double);             \
-  template void World<D>::record_impacts();                \
-  template bool World<D>::stays_closed(int, double) const; \
+#define FLYROCK_INSTANTIATE(D)                                        \
+  template void World<D>::apply_laws(double);                         \
+  template SolveResult World<D>::solve();                             \
+  template void World<D>::solve_and_apply();                          \
+  template void World<D>::solve_instant();                            \
+  template void World<D>::measure_after(double);                      \
+  template double World<D>::energy_of(int) const;                     \
+  template void World<D>::find_shocks(double);                        \
+  template void World<D>::record_impacts();                           \
+  template bool World<D>::stays_closed(int, double) const;            \
+  template bool World<D>::is_at_bound(int, double) const;             \
+  template bool World<D>::sticks(int) const;                          \
+  template double World<D>::rounding_of_solver(const Contact&) const; \
   template Vec<D> World<D>::stretch_after(int, double) const
 FLYROCK_INSTANTIATE(2);
 FLYROCK_INSTANTIATE(3);

@@ -279,9 +279,8 @@ typename World<D>::Outcome World<D>::keep(double duration, bool new_touch) {
     Contact& c = contacts_[a];
     const bool closed = stays_closed(static_cast<int>(a), duration);
     c.carried = closed;
-    // Largest tangential impulse that friction can carry
-    const double held = c.mu() * c.impulse[0] + duration * c.law.c_t;
-    c.sticking = held > 0 && tangential(c.impulse).norm() < (1 - 1e-9) * held;
+    c.at_bound = is_at_bound(static_cast<int>(a), duration);
+    c.sticking = sticks(static_cast<int>(a));
     c.age = closed ? c.age + duration : 0;
     if (duration > 0) c.normal_force = c.impulse[0] / duration;
     if (!closed) c.normal_force = ContactState::none;
@@ -300,7 +299,7 @@ typename World<D>::Outcome World<D>::keep(double duration, bool new_touch) {
 template <int D>
 bool World<D>::slips(const Contact& contact, int body) const {
   constexpr double rolling_slip = 0.05;
-  return !contact.sticking &&
+  return contact.at_bound &&
          tangential(relative_velocity(contact)).norm() > rolling_slip * bodies[body].v.norm();
 }
 

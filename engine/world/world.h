@@ -71,11 +71,12 @@ struct WorldContact {
   double normal_force = ContactState::none;  ///< N, of the last accepted step
   double slip_length = 0;                    ///< m, slipped since it closed; kept only if a law reads it
   bool carried = false;                      ///< true if the contact did not open in the last step
-  bool sticking = false;
-  double speed_scale = 0;  ///< m/s, as ContactProblem<D>::Contact
-  int manifold = -1;       ///< index of the manifold among the impacts of this step; -1: no impact
-  int rock = 0;            ///< whose impact it is (World::rock_of), if this contact is part of one
-  int impact_number = 0;   ///< of its rock
+  bool sticking = false;                     ///< so in the last step (World::sticks)
+  bool at_bound = true;                      ///< friction bore all it can in the last step
+  double speed_scale = 0;                    ///< m/s, as ContactProblem<D>::Contact
+  int manifold = -1;      ///< index of the manifold among the impacts of this step; -1: no impact
+  int rock = 0;           ///< whose impact it is (World::rock_of), if this contact is part of one
+  int impact_number = 0;  ///< of its rock
   // Of a dense step
   bool stays_apart = false;  ///< along the free path
   bool late = false;         ///< it closes within the step so slowly that it does not collide
@@ -420,7 +421,10 @@ class World {
   void find_shocks(double h);
   void record_impacts();
   double energy_of(int a) const;
+  double rounding_of_solver(const Contact& contact) const;
   bool stays_closed(int a, double duration) const;
+  bool is_at_bound(int a, double duration) const;
+  bool sticks(int a) const;
   Vec<D> stretch_after(int a, double duration) const;
 
   // audit.cpp: the energy of impacts and steps
@@ -555,14 +559,11 @@ class World {
     double residual = 0;  ///< m/s
     double since = 0;     ///< s
   };
-  std::vector<Unsolved> unsolved_;             ///< of each body: residual and time of its last solve
-  std::vector<Row> after_;                     ///< velocities of the contacts after the step or impact
-  std::vector<Row> last_after_;                ///< of last_, while a step may still be given up
-  std::vector<Row> start_;                     ///< start impulses, kept only if hard problems are reported
-  std::vector<std::vector<int>> contacts_of_;  ///< [body], for bodies that contacts move
-  /// Of each contact, and the contacts of each assembly of links; empty: no links
-  std::vector<std::vector<typename Links<D>::Reaction>> reactions_;
-  std::vector<std::vector<int>> contacts_of_assembly_;
+  std::vector<Unsolved> unsolved_;               ///< of each body: residual and time of its last solve
+  std::vector<Row> after_;                       ///< velocities of the contacts after the step or impact
+  std::vector<Row> last_after_;                  ///< of last_, while a step may still be given up
+  std::vector<Row> start_;                       ///< start impulses, kept only if hard problems are reported
+  std::vector<std::vector<int>> contacts_of_;    ///< [body], for bodies that contacts move
   std::vector<typename Problem::Block> blocks_;  ///< that couple a contact to each other one
   Islands<D> islands_;
   std::vector<double> island_speed_;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "flight/settle.h"
-#include "lab.h"
+#include "lab_3d.h"
 
 namespace loads_test {
 
@@ -37,6 +37,46 @@ TEST_CASE("A block on a table that tilts slides from atan(mu) on, to a millionth
     const double pull = earth_gravity * (std::sin(limit + beyond) - mu * std::cos(limit + beyond));
     const double slides = 0.5 * std::max(0.0, pull) * (end - 1) * (end - 1);
     CHECK(bench.world.bodies[0].x.x() == Approx(slides).epsilon(0.01).margin(1e-8));
+  }
+}
+
+struct StaticDynamic : FrictionLaw {
+  double mu_s, mu_d;
+  StaticDynamic(double at_rest, double sliding) : mu_s(at_rest), mu_d(sliding) {}
+  bool constant() const override { return true; }
+  std::string origin() const override { return "static_dynamic"; }
+  Friction friction(Values, const ContactState&) const override { return {mu_s, mu_d}; }
+};
+
+/// The place of a block along the fall line at `end` [m], on a table that is at the angle `tilt` from 1 s on.
+template <int D>
+double slid_on_table(BenchOf<D>& bench, double tilt, double end) {
+  const auto axes = [](const Vec3& in_plane) {
+    return D == 2 ? in_plane : Vec3(in_plane.x(), 0, in_plane.y());
+  };
+  const OverTime gravity({{0, axes(gravity_on(0))}, {1, axes(gravity_on(tilt))}});
+  const LoadTables loads{.gravity = &gravity, .last_change = 1};
+  bench.run_settings.loads = &loads;
+  bench.run_settings.stop_speed = 0;
+  bench.run(end);
+  return bench.world.bodies[0].x.x();
+}
+
+TEST_CASE("A block on two or four corners slips from mu_s on, and then all of it with mu_d") {
+  const double mu_s = 0.6, mu_d = 0.4, end = 2;
+  const StaticDynamic friction(mu_s, mu_d);
+  for (const double share : {0.9999, 1.0001}) {
+    const double tilt = std::atan(share * mu_s);
+    const double pull = earth_gravity * (std::sin(tilt) - mu_d * std::cos(tilt));
+    const double slides = share > 1 ? 0.5 * pull * (end - 1) * (end - 1) : 0;
+    Material rock(0, 0);
+    rock.surface.friction.law = &friction;
+    Bench in_2d(ground(50), rock);
+    in_2d.add(box(1, 0.5, 100, {0, 0.25}));
+    CHECK(slid_on_table(in_2d, tilt, end) == Approx(slides).epsilon(0.01).margin(1e-8));
+    Bench3 in_3d(plane(), rock);
+    in_3d.add(box(Vec3(1, 0.6, 0.5), 100, {0, 0, 0.25}));
+    CHECK(slid_on_table(in_3d, tilt, end) == Approx(slides).epsilon(0.01).margin(1e-8));
   }
 }
 

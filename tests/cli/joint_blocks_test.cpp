@@ -93,6 +93,24 @@ TEST_CASE("the sets of a survey are found, and joint_blocks reads them") {
   CHECK(shown.find("name: set_3") != std::string::npos);
 }
 
+TEST_CASE("the page of joints says which K it fits and which intervals are exact") {
+  const Folder folder;
+  std::string planes = "dip_deg,dip_direction_deg\n";
+  for (int n = 0; n < 20; ++n) planes += "40,90\n";
+  folder.write("parallel.csv", planes);
+  const auto page_of = [&](const std::string& face) {
+    REQUIRE(call(folder, "joints parallel.csv" + face + " -o out" + (face.empty() ? "" : "_of_face")).code ==
+            0);
+    return read(folder.path() / (face.empty() ? "out" : "out_of_face") / "joints.html");
+  };
+  const std::string alone = page_of("");
+  CHECK(alone.find("K 2000") != std::string::npos);
+  CHECK(alone.find("with K from 3 to 2000: a set with 2000 may be closer") != std::string::npos);
+  CHECK(alone.find("Clopper and Pearson") == std::string::npos);
+  CHECK(page_of(" --face 70/90 --friction 34").find("(of shares of none or all by Clopper and Pearson)") !=
+        std::string::npos);
+}
+
 TEST_CASE("a survey that cannot be read is refused in one line with its place, and nothing is written") {
   const Folder folder;
   folder.write("steep.csv", "dip_deg,dip_direction_deg\n40,90\n140,90\n");

@@ -78,6 +78,14 @@ std::string table_of_hazards(const JointSurvey& survey, const SurveyOptions& opt
                                degrees(face.lateral)));
 }
 
+/// Whether a share of planes or pairs is 0 or 1, so that its interval is not of the bootstrap.
+bool has_exact_interval(const JointSurvey& survey) {
+  if (!survey.hazards) return false;
+  const auto is_exact = [](const Estimate& share) { return share.value == 0 || share.value == 1; };
+  const KinematicShares& shares = *survey.hazards;
+  return is_exact(shares.plane) || is_exact(shares.wedge) || is_exact(shares.toppling);
+}
+
 }  // namespace
 
 std::vector<std::string> survey_sentences(const JointSurvey& survey, const SurveyOptions& options) {
@@ -100,7 +108,8 @@ std::vector<std::string> survey_sentences(const JointSurvey& survey, const Surve
                     share_text(survey.hazards->plane), share_text(survey.hazards->wedge),
                     share_text(survey.hazards->toppling)));
   sentences.push_back(
-      fmt::format("Intervals are of 95 %, by bootstrap over the planes; about {} planes would halve them.",
+      fmt::format("Intervals are of 95 %, by bootstrap over the planes{}; about {} planes would halve them.",
+                  has_exact_interval(survey) ? " (of shares of none or all by Clopper and Pearson)" : "",
                   survey.to_halve));
   return sentences;
 }
@@ -118,10 +127,11 @@ std::string joints_page(const std::string& file, const JointSurvey& survey, cons
   page += "<h2>Sets</h2>\n" + table_of_sets(survey);
   page += paragraph(
       "note",
-      "Poles are axes. The sets are Fisher distributions of axes beside a uniform rest, fitted by EM. A "
-      "plane that meets its scanline at the angle a counts 1/sin(a) (Terzaghi), and its trace 1/length in "
-      "the "
-      "mean trace. Ends of traces that the face does not show make that mean a lower bound.");
+      fmt::format("Poles are axes. The sets are Fisher distributions of axes, with a uniform rest, fitted by "
+                  "EM with K from {} to {}: a set with {} may be closer. ",
+                  least_fisher_k, most_fisher_k, most_fisher_k) +
+          "A plane that meets its scanline at the angle a counts 1/sin(a) (Terzaghi), and its trace 1/length "
+          "in the mean trace. Ends of traces that the face does not show make that mean a lower bound.");
   page += table_of_hazards(survey, options);
   return plain_page("Joints of " + file, page);
 }

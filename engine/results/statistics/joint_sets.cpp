@@ -10,8 +10,6 @@ namespace flyrock {
 
 namespace {
 
-constexpr double most_k = 2000;    // a scatter of 1.3 degrees, below that of a compass
-constexpr double least_k = 3;      // a set that is wider says nothing else than the rest
 constexpr double least_poles = 3;  // of a set
 constexpr int em_starts = 6;
 constexpr int most_em_steps = 200;
@@ -69,7 +67,7 @@ double step(const Poles& poles, SetMixture& mixture) {
     if (!(length > 0)) continue;
     set.mean = resultants[s] / length;
     if (set.mean.z() < 0) set.mean = -set.mean;
-    set.k = std::clamp(concentration(std::min(length / weights[s], 1 - 1e-9)), least_k, most_k);
+    set.k = std::clamp(concentration(std::min(length / weights[s], 1 - 1e-9)), least_fisher_k, most_fisher_k);
   }
   return log_likelihood;
 }

@@ -8,6 +8,10 @@
 
 namespace flyrock {
 
+/// The range of the k of a set: one that is wider says nothing else than a uniform rest; the scatter of the
+/// closest, 1.3 deg, is below that of a compass.
+inline constexpr double least_fisher_k = 3, most_fisher_k = 2000;
+
 /// A set: its share of the poles and the density of an axis x (a unit vector and its opposite are one axis)
 ///   f(x) = k / (4 pi sinh k) cosh(k mean.x).
 struct FisherSet {

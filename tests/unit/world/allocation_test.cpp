@@ -127,6 +127,56 @@ TEST_CASE("the step of a deformable box allocates nothing once its nodes have to
   for (int n = 0; n < 1000; ++n) bench.world.step(h, false);
   CHECK(blocks_of_memory == before);
 }
+
+TEMPLATE_TEST_CASE_SIG("the step of linked bodies allocates nothing once their contacts are closed", "",
+                       ((int D), D), 2, 3) {
+  constexpr double h = 1e-3;
+  const auto at = [](double x, double up) {
+    Vec<D> place = Vec<D>::Zero();
+    place[0] = x;
+    place[D - 1] = up;
+    return place;
+  };
+  Material material(0, 0.5);
+  const auto add_bodies = [&](auto& bench, const auto& block, const auto& ball) {
+    for (const double x : {0.0, 2.0}) bench.add(block(at(x, 0.25)));
+    for (const double x : {5.0, 8.0}) bench.add(ball(at(x, 2)));
+    const auto add = [&](LinkType type, int a, int b, const Vec<D>& from, const Vec<D>& to) {
+      Link<D> link;
+      link.type = type;
+      link.a = a;
+      link.b = b;
+      link.end_a = from;
+      link.end_b = to;
+      link.axis = at(0, 1);
+      link.frame_b = {at(0, 1), at(1, 0), Vec<D>(Vec<D>::Ones() - at(1, 1))};
+      link.side = at(1, 0);
+      link.stiffness = 1e4;
+      if (type != LinkType::hinge) link.length = bench.world.links.length(link, bench.world.bodies);
+      bench.world.links.add(link);
+    };
+    add(LinkType::rod, 0, 1, at(0, 0.1), at(0, 0.1));
+    add(LinkType::spring, 1, -1, at(0, 0), at(4, 0.3));
+    add(LinkType::hinge, 2, -1, at(1, 0), at(6, 2));
+    add(LinkType::rope, 3, -1, at(0, 0), at(8, 4));
+    for (int n = 0; n < 200; ++n) bench.world.step(h, false);
+    REQUIRE(bench.world.contacts().size() == 4 * (D - 1));
+    const long before = blocks_of_memory;
+    for (int n = 0; n < 200; ++n) bench.world.step(h, false);
+    CHECK(blocks_of_memory == before);
+  };
+  if constexpr (D == 2) {
+    Bench bench(ground(20), material);
+    add_bodies(
+        bench, [](const Vec2& x) { return box(1, 0.5, 100, x); },
+        [](const Vec2& x) { return disk(0.2, 10, x); });
+  } else {
+    Bench3 bench(plane(), material);
+    add_bodies(
+        bench, [](const Vec3& x) { return box(Vec3(1, 1, 0.5), 100, x); },
+        [](const Vec3& x) { return sphere(0.2, 10, x); });
+  }
+}
 #endif
 
 TEST_CASE("the step loop does not allocate") {
