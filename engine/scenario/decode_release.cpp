@@ -90,7 +90,9 @@ std::optional<Release> decode_release(DecodeContext& context, const Node& node,
       break;
     case ReleaseKind::along:
       release.points = section.points("along");
-      if (release.points.size() < 2) node.error(context.diagnostics, "`along` needs at least two points");
+      // A layer has told of its own fault.
+      if (release.points.size() < 2 && key->is_list())
+        node.error(context.diagnostics, "`along` needs at least two points");
       break;
     case ReleaseKind::inside:
       release.points = section.points("inside");
