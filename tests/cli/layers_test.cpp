@@ -313,6 +313,34 @@ TEST_CASE("3D faces of a drawing are the ground of the same mesh, in whatever or
   CHECK(run_drawing("layers", below + face_3d("PIT", {0, 1, 2, 3}), ", surface: PIT") < 1e-9);
 }
 
+TEST_CASE(
+    "of a drawing, labels and sheets of paper are no places, and names of layers are UTF-8 since 2007") {
+  if (!has_module()) return;
+  const Folder folder;
+  write_slope(folder);
+  const auto polyline = [](const std::string& layer, const std::string& more = "") {
+    std::string text =
+        "0\nLWPOLYLINE\n100\nAcDbEntity\n8\n" + layer + "\n" + more + "100\nAcDbPolyline\n90\n4\n70\n1\n";
+    for (const char* place : {"2600020 1200000", "2600040 1200000", "2600040 1200060", "2600020 1200060"}) {
+      const std::string words = place;
+      text += "10\n" + words.substr(0, 7) + "\n20\n" + words.substr(8) + "\n";
+    }
+    return text;
+  };
+  const std::string layer = "B\xc3\xb6schung",
+                    label = "0\nTEXT\n8\n" + layer + "\n10\n2600030\n20\n1200030\n30\n0\n40\n1\n1\nsoft\n";
+  folder.write("site.dxf",
+               "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1024\n9\n$DWGCODEPAGE\n3\nANSI_1252\n0\nENDSEC\n"
+               "0\nSECTION\n2\nENTITIES\n" +
+                   polyline(layer) + label + polyline(layer, "67\n1\n") + "0\nENDSEC\n0\nEOF\n");
+  folder.write("points.yaml", scenario(soft_points, road_points, crest_points));
+  REQUIRE(call(folder, "run points.yaml --quiet -o points").code == 0);
+  folder.write("dxf.yaml", scenario("{ layer: site.dxf, name: " + layer + " }", road_points, crest_points));
+  CHECK(worst_of(folder, "dxf") < 1e-9);
+  const Output check = call(folder, "check dxf.yaml");
+  has(check.out, ": 1 polygon, no system of its own");
+}
+
 TEST_CASE("a drawing without 3D faces, or without a layer, says so, and other entities are counted") {
   if (!has_module()) return;
   const Folder folder;
@@ -429,7 +457,7 @@ TEST_CASE("a layer that fits not says why, and what to write") {
   has(said(where("site.geojson", "sofd")), "has no feature whose `Layer` is `sofd`, did you mean `soft`?");
   has(said("{ layer: site.geojson, where: { layer: soft } }"),
       "has no attribute `layer`, did you mean `Layer`?");
-  has(said(where("site.geojson", "road")), "has an open line, expected polygons");
+  has(said(where("site.geojson", "road")), "has an open line, expected polygons or closed lines");
   has(said("{ layer: site.geojson, name: zones }"), "has no layer `zones`, it has `site`");
   has(said(where("site.geojson", "soft"), ""),
       "is in EPSG:2056, the terrain does not say its system: write `crs: EPSG:NUMBER`");

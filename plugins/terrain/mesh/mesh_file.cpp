@@ -35,9 +35,10 @@ std::string way_to_obj(const std::string& ending) {
   if (ending == ".dwg")
     return "is a drawing of CAD in a format of one program: save it as DXF, of which a terrain reads the 3D "
            "faces, or export them as OBJ, with three decimals or more";
-  if (ending == ".las" || ending == ".laz" || ending == ".xyz" || ending == ".e57" || ending == ".pts")
-    return "is a cloud of points: make a grid (GeoTIFF, .asc) for the terrain `raster` of it, or triangles "
-           "(OBJ)";
+  if (ending == ".las" || ending == ".laz" || ending == ".xyz" || ending == ".pts")
+    return "is a cloud of points: a terrain of the type `points` reads it; others need triangles (OBJ)";
+  if (ending == ".e57")
+    return "is a cloud of points: save it as LAS or XYZ, which a terrain of the type `points` reads";
   return "expected a file whose name ends in .obj, .ply or .stl; of a terrain also .xml (LandXML) or .dxf";
 }
 
@@ -73,6 +74,13 @@ void note_single_precision(MeshFile& file) {
       "its coordinates are numbers of single precision, {:g} apart near {:.7g}: export PLY with doubles, "
       "OBJ with three decimals, or local coordinates",
       step, near));
+}
+
+void judge_digits(const std::string& plugin, const std::string& path, const WrittenDigits& digits,
+                  MeshFile& file) {
+  if (const std::string wrong = digits.fault(); !wrong.empty())
+    throw PluginError(fmt::format("plugin {}: {}: {}", plugin, path, wrong));
+  if (std::string note = digits.note(); !note.empty()) file.notes.push_back(std::move(note));
 }
 
 MeshFile read_mesh(const std::string& plugin, const std::string& path, PartsOf parts) {
