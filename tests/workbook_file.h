@@ -38,7 +38,7 @@ inline std::string zip_of(const Parts& parts, unsigned flags = 0, std::size_t cl
 }
 
 /// Sheets by name, each the rows of `sheetData` (`<row>...</row>`) and what follows it. Style 1 shows dates,
-/// style 2 "0.00 m" with the unit in quotes.
+/// style 2 "0.00 m" with the unit in quotes, style 3 shares of 100.
 inline Parts xlsx_parts(const Parts& sheets, const std::string& texts = "") {
   std::string names, links;
   Parts parts;
@@ -55,7 +55,7 @@ inline Parts xlsx_parts(const Parts& sheets, const std::string& texts = "") {
   parts.emplace_back(
       "xl/styles.xml",
       R"(<styleSheet><numFmts><numFmt numFmtId="164" formatCode="0.00&quot; m&quot;"/></numFmts>)"
-      R"(<cellXfs><xf numFmtId="0"/><xf numFmtId="14"/><xf numFmtId="164"/></cellXfs></styleSheet>)");
+      R"(<cellXfs><xf numFmtId="0"/><xf numFmtId="14"/><xf numFmtId="164"/><xf numFmtId="9"/></cellXfs></styleSheet>)");
   return parts;
 }
 

@@ -109,6 +109,7 @@ std::string TextTable::summary() const {
   std::sort(in_order.begin(), in_order.end(),
             [](const auto& a, const auto& b) { return a.second->place < b.second->place; });
   std::string text = fmt::format("{} row{}", rows_, rows_ == 1 ? "" : "s");
+  if (hidden_rows_ > 0) text += fmt::format(", {} of them hidden in the sheet", hidden_rows_);
   const char* separator = "; ";
   for (const auto& [name, column] : in_order) {
     if (column->is_text) continue;
@@ -169,6 +170,7 @@ class TextTableReader {
                    fmt::format("{} has {} more errors like these", path, errors_ - most_errors));
     if (diagnostics_.errors_given() > before) return std::nullopt;
     table_.source_ = source_;
+    table_.hidden_rows_ = text.hidden_rows;
     table_.known_ = names_of(columns_);
     return std::move(table_);
   }
@@ -410,10 +412,14 @@ class TextTableReader {
     if (field.text.empty()) {
       if (use.column->required) fail(field.at, fmt::format("`{}` is empty", use.column->name));
     } else if (!use.column->is_text) {
-      const auto number = number_of(in_decimal_points(field));
+      const bool is_share = field.text.ends_with('%') && use.column->dimension == dimension::none;
+      std::string text = in_decimal_points(field);
+      if (is_share) text.pop_back();
+      const auto number = number_of(text);
       if (!number) fail(field.at, no_number(field.text, *use.column));
       cell.is_number = number.has_value();
-      cell.number = Quantity{number.value_or(0), true, use.to->unit.unit, "", false}.si();
+      cell.number = is_share ? number.value_or(0) / 100
+                             : Quantity{number.value_or(0), true, use.to->unit.unit, "", false}.si();
       needs_unit(cell, use);
     }
     return cell;
@@ -422,8 +428,19 @@ class TextTableReader {
   std::string no_number(const std::string& text, const TableColumn& column) const {
     if (table_.rows_ == 1 && unit_of_head(text, column.dimension) && column.dimension != dimension::none)
       return fmt::format("`{}` is a unit, expected it in the head of its column: `{} [{}]`", printable(text),
-                         column.name, printable(text));
-    return fmt::format("`{}` is not a number, expected `{}`", printable(text), column.name);
+                         column.name, unit_of_head(text, column.dimension)->text);
+    return fmt::format(
+        "`{}` is not a number, expected `{}`{}", printable(text), column.name,
+        is_sheet_ && is_date(text) ? ": the format of the cell is a date, expected one of numbers" : "");
+  }
+
+  /// Whether a text is a date of a sheet, 2026-11-28.
+  static bool is_date(std::string_view text) {
+    constexpr std::string_view form = "0000-00-00";
+    if (text.size() < form.size()) return false;
+    for (std::size_t i = 0; i < form.size(); ++i)
+      if (form[i] == '-' ? text[i] != '-' : text[i] < '0' || text[i] > '9') return false;
+    return true;
   }
 
   /// A number with a decimal point. A table has one decimal sign.
@@ -439,9 +456,11 @@ class TextTableReader {
     own = {field.text, static_cast<int>(line_)};
     if (other.line > 0)
       fail(field.at,
-           fmt::format("`{}` has a decimal {} and `{}` of line {} a {}, expected one sign in a table",
-                       printable(field.text), has_point ? "point" : "comma", printable(other.text),
-                       other.line, has_point ? "comma" : "point"));
+           fmt::format(
+               "`{}` has a decimal {} and `{}` of line {} a {}, expected one sign in a table{}",
+               printable(field.text), has_point ? "point" : "comma", printable(other.text), other.line,
+               has_point ? "comma" : "point",
+               is_sheet_ ? ": one of them is a text, make it a number in the spreadsheet program" : ""));
     return text;
   }
 

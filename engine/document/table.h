@@ -42,7 +42,8 @@ class TextTable {
   std::string shown(std::string_view column, double si) const;
   /// Heads that no column asked for.
   const std::vector<std::string>& ignored() const { return ignored_; }
-  /// What was read: "3 rows; burden 1.9 to 3 m, time 0 to 34 ms; not read: `note`".
+  /// What was read: "3 rows, 1 of them hidden in the sheet; burden 1.9 to 3 m, time 0 to 34 ms; not read:
+  /// `note`".
   std::string summary() const;
 
  private:
@@ -65,7 +66,7 @@ class TextTable {
   const Cell* cell(std::size_t row, std::string_view column) const;
 
   std::shared_ptr<const Source> source_;
-  std::size_t rows_ = 0;
+  std::size_t rows_ = 0, hidden_rows_ = 0;
   std::vector<int> lines_;  ///< of the rows, from 1
   std::map<std::string, Column, std::less<>> columns_;
   std::vector<std::string> ignored_;

@@ -125,6 +125,14 @@ std::string other_format(std::string_view bytes) {
     return bytes.find(encrypted_part) != bytes.npos ? "is protected by a password: save it without one"
                                                     : "is a workbook of an old form (xls), expected .xlsx, "
                                                       ".ods or CSV UTF-8: save it as one of these";
+  const std::string_view begin =
+      bytes.substr(std::min(bytes.find_first_not_of("\xef\xbb\xbf \r\n\t"), bytes.size()));
+  constexpr std::string_view not_tables[] = {"<", "{\\rtf", "%PDF", "ID;P", "TABLE\r\n0,1", "TABLE\n0,1"};
+  for (const std::string_view other : not_tables)
+    if (begin.starts_with(other))
+      return "is no table of text, as its first line shows (a page, XML, DIF or SYLK), expected .xlsx, .ods "
+             "or "
+             "CSV UTF-8: save it as one of these";
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
     return "is a text in UTF-16, expected UTF-8: save it as CSV UTF-8";
   return {};

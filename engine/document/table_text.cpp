@@ -18,22 +18,24 @@ namespace {
   throw TableTextFault(fmt::format("the file {} {}", file, text), nullptr, 0);
 }
 
-std::shared_ptr<Source> sheet_of(const SheetName& name, std::string_view bytes) {
+TableText sheet_of(const SheetName& name, std::string_view bytes) {
   auto source = std::make_shared<Source>();
+  TableText text{source, true, 0};
   source->name = name.sheet.empty() ? name.file : name.file + "#" + name.sheet;
   try {
     Sheet sheet = read_sheet(bytes, name.sheet);
     source->name = name.file + "#" + sheet.name;
     source->lines = std::move(sheet.lines);
+    text.hidden_rows = sheet.hidden_rows;
   } catch (const WorkbookFault& fault) {
     if (fault.row == 0) refuse(name.file, fault.what());
     throw TableTextFault(fault.what(), source, fault.row);
   }
   if (source->lines.empty()) refuse(source->name, "has no cell with a value");
-  return source;
+  return text;
 }
 
-std::shared_ptr<Source> text_of(const std::string& file, const std::string& bytes) {
+TableText text_of(const std::string& file, const std::string& bytes) {
   auto source = std::make_shared<Source>();
   source->name = file;
   for (std::size_t begin = 0; begin < bytes.size();) {
@@ -44,7 +46,7 @@ std::shared_ptr<Source> text_of(const std::string& file, const std::string& byte
     source->lines.push_back(std::move(line));
     begin = end + 1;
   }
-  return source;
+  return {source, false, 0};
 }
 
 }  // namespace
@@ -58,12 +60,12 @@ TableText read_table_text(const std::string& path) {
   if (bytes.empty()) refuse(name.file, "is empty");
   const bool is_sheet = is_workbook(bytes);
   if (const std::string format = other_format(bytes); !is_sheet && !format.empty()) refuse(name.file, format);
-  const std::shared_ptr<const Source> source = is_sheet ? sheet_of(name, bytes) : text_of(name.file, bytes);
-  for (std::size_t line = 0; line < source->lines.size(); ++line)
-    if (const std::string fault = text_fault(source->lines[line]); !fault.empty())
-      throw TableTextFault(fmt::format("the line {}, expected a table saved as UTF-8", fault), source,
+  TableText text = is_sheet ? sheet_of(name, bytes) : text_of(name.file, bytes);
+  for (std::size_t line = 0; line < text.source->lines.size(); ++line)
+    if (const std::string fault = text_fault(text.source->lines[line]); !fault.empty())
+      throw TableTextFault(fmt::format("the line {}, expected a table saved as UTF-8", fault), text.source,
                            static_cast<int>(line) + 1);
-  return {source, is_sheet};
+  return text;
 }
 
 }  // namespace flyrock

@@ -12,6 +12,7 @@ namespace flyrock {
 struct TableText {
   std::shared_ptr<const Source> source;
   bool is_sheet = false;  ///< its fields are apart by tabs (document/workbook.h)
+  std::size_t hidden_rows = 0;
 };
 
 /// Why a file is no table.

@@ -69,6 +69,15 @@ class Cells {
     width_ = std::max(width_, column + 1);
   }
 
+  void hide(std::size_t row, std::size_t count = 1) { hidden_.emplace_back(row, row + count); }
+
+  std::size_t hidden_rows() const {
+    std::size_t count = 0;
+    for (const auto& [begin, end] : hidden_)
+      for (std::size_t row = begin; row < std::min(end, rows_.size()); ++row) count += !rows_[row].empty();
+    return count;
+  }
+
   bool has(std::size_t row, std::size_t column) const {
     return row < rows_.size() && rows_[row].contains(column);
   }
@@ -94,6 +103,7 @@ class Cells {
 
  private:
   std::vector<std::map<std::size_t, std::string>> rows_;
+  std::vector<std::pair<std::size_t, std::size_t>> hidden_;
   std::size_t width_ = 0, count_ = 0;
 };
 
@@ -150,6 +160,8 @@ class XmlPart {
 
 // ---------------------------------------------------------------------------------------------------- xlsx
 
+bool is_true(std::string_view flag) { return flag == "1" || flag == "true"; }
+
 /// Whether a format of numbers shows them as a date or a time: it has a letter of one outside of quotes,
 /// brackets (colours, conditions) and after no backslash. [h]:mm, the time that has passed, is one as well.
 bool is_date_format(std::string_view format) {
@@ -170,6 +182,21 @@ bool is_date_format(std::string_view format) {
   }
   return false;
 }
+
+/// Whether a format shows a number as a share of 100.
+bool is_share_format(std::string_view format) {
+  for (std::size_t i = 0; i < format.size(); ++i)
+    if (format[i] == '"')
+      i = std::min(format.find('"', i + 1), format.size());
+    else if (format[i] == '\\')
+      ++i;
+    else if (format[i] == '%')
+      return true;
+  return false;
+}
+
+/// 0.25 as 25%, which is what the sheet shows and what its head may mean.
+std::string share_text(double number) { return fmt::format("{:.15g}%", 100 * number); }
 
 /// A day and time of day, counted in days from 1899-12-30 (or 1904-01-01).
 std::string date_text(double days, bool from_1904) {
@@ -194,8 +221,7 @@ class Xlsx {
   Sheet read(const std::string& name) {
     const std::string book = book_part();
     const XmlPart workbook(archive_, book);
-    from_1904_ = attribute(child(workbook.root(), "workbookPr"), "date1904") == "1" ||
-                 attribute(child(workbook.root(), "workbookPr"), "date1904") == "true";
+    from_1904_ = is_true(attribute(child(workbook.root(), "workbookPr"), "date1904"));
     std::vector<std::string> names, links;
     for_each(child(workbook.root(), "sheets"), "sheet", [&](pugi::xml_node sheet) {
       names.emplace_back(attribute(sheet, "name"));
@@ -211,7 +237,7 @@ class Xlsx {
     read_texts(beside + "sharedStrings.xml");
     read_styles(beside + "styles.xml");
     read_cells(XmlPart(archive_, part->second).root());
-    return {names[index], cells_.lines()};
+    return {names[index], cells_.lines(), cells_.hidden_rows()};
   }
 
  private:
@@ -270,15 +296,19 @@ class Xlsx {
     if (!archive_.has(part)) return;
     const XmlPart styles(archive_, part);
     std::set<std::size_t> dates = {14, 15, 16, 17, 18, 19, 20, 21, 22, 45, 46, 47};  // of every workbook
+    std::set<std::size_t> shares = {9, 10};
     for_each(child(styles.root(), "numFmts"), "numFmt", [&](pugi::xml_node format) {
       const std::size_t id = count_of(attribute(format, "numFmtId"), 0);
-      if (is_date_format(attribute(format, "formatCode")))
-        dates.insert(id);
-      else
-        dates.erase(id);
+      const std::string_view code = attribute(format, "formatCode");
+      dates.erase(id);
+      shares.erase(id);
+      if (is_date_format(code)) dates.insert(id);
+      if (is_share_format(code)) shares.insert(id);
     });
     for_each(child(styles.root(), "cellXfs"), "xf", [&](pugi::xml_node style) {
-      is_date_.push_back(dates.contains(count_of(attribute(style, "numFmtId"), 0)));
+      const std::size_t id = count_of(attribute(style, "numFmtId"), 0);
+      is_date_.push_back(dates.contains(id));
+      is_share_.push_back(shares.contains(id));
     });
   }
 
@@ -287,6 +317,7 @@ class Xlsx {
     for_each(child(sheet, "sheetData"), "row", [&](pugi::xml_node line) {
       row = count_of(attribute(line, "r"), row + 1);
       if (row == 0) throw WorkbookFault(0, "is damaged: a row has the number 0");
+      if (is_true(attribute(line, "hidden"))) cells_.hide(row - 1);
       std::size_t column = 0;
       for_each(line, "c", [&](pugi::xml_node cell) {
         column = column_of(attribute(cell, "r"), column + 1);
@@ -333,14 +364,14 @@ class Xlsx {
     const auto number = parse_number(value);
     if (!number) return value;
     const std::size_t style = count_of(attribute(cell, "s"), 0);
-    return style < is_date_.size() && is_date_[style] ? date_text(*number, from_1904_)
-                                                      : fmt::format("{}", *number);
+    if (style < is_date_.size() && is_date_[style]) return date_text(*number, from_1904_);
+    return style < is_share_.size() && is_share_[style] ? share_text(*number) : fmt::format("{}", *number);
   }
 
   const ZipArchive& archive_;
   bool from_1904_ = false;
   std::vector<std::string> texts_;
-  std::vector<bool> is_date_;  ///< of the styles
+  std::vector<bool> is_date_, is_share_;  ///< of the styles
   Cells cells_;
 };
 
@@ -365,7 +396,7 @@ class Ods {
     });
     const std::size_t index = chosen(names, name);
     read_rows(sheets[index]);
-    return {names[index], cells_.lines()};
+    return {names[index], cells_.lines(), cells_.hidden_rows()};
   }
 
  private:
@@ -382,6 +413,8 @@ class Ods {
 
   void read_row(pugi::xml_node line) {
     const std::size_t rows = std::max<std::size_t>(count_of(attribute(line, "number-rows-repeated"), 1), 1);
+    const std::string_view visibility = attribute(line, "visibility");
+    if (visibility == "collapse" || visibility == "filter") cells_.hide(row_, rows);
     std::size_t column = 0;
     for (const pugi::xml_node cell : line.children()) {
       const std::string_view kind = local(cell.name());
@@ -423,7 +456,8 @@ class Ods {
     if (type == "float" || type == "percentage" || type == "currency") {
       const std::string value(attribute(cell, "value"));
       const auto number = parse_number(value);
-      return number ? fmt::format("{}", *number) : value;
+      if (!number) return value;
+      return type == "percentage" ? share_text(*number) : fmt::format("{}", *number);
     }
     if (type == "date") return std::string(attribute(cell, "date-value"));
     if (type == "time") return std::string(attribute(cell, "time-value"));

@@ -27,13 +27,14 @@ struct WorkbookFault : std::runtime_error {
 struct Sheet {
   std::string name;
   std::vector<std::string> lines;  ///< a row each: its fields apart by tabs, in quotes where they hold one
+  std::size_t hidden_rows = 0;     ///< rows with values that the sheet does not show, among the lines
 };
 
 /// Reads a sheet; without a name the only one. Each cell is the text that a table would have there: numbers
-/// as they are stored and not as they are shown, dates and times as 2026-11-28 and 07:30:00, so that none is
-/// taken for a number. All rows have the fields of the longest. Throws WorkbookFault: for a file that is cut,
-/// damaged or protected, a sheet that is not there, merged cells (which of their rows has the value?) and
-/// formulas that were never computed.
+/// as they are stored and not as they are shown, but shares as 25%, dates and times as 2026-11-28 and
+/// 07:30:00, so that none is taken for a number. All rows have the fields of the longest. Throws
+/// WorkbookFault: for a file that is cut, damaged or protected, a sheet that is not there, merged cells
+/// (which of their rows has the value?) and formulas that were never computed.
 Sheet read_sheet(std::string_view bytes, const std::string& name);
 
 }  // namespace flyrock

@@ -28,6 +28,7 @@ class Works {
   /// it meets the ground again. `side`: -1 below the ground, 1 above. Returns where it ends.
   Vec2 put(const char* part, double x, const std::vector<Vec2>& steps, const Vec2& last, int side) {
     part_ = part;
+    x = at_point_near(x);
     const std::size_t after = first_after(x);
     std::vector<Vec2> outline = {start(x, after)};
     for (const Vec2& step : steps) outline.push_back(outline.back() + step);
@@ -42,6 +43,18 @@ class Works {
  private:
   [[noreturn]] void fail(const std::string& text) const {
     throw EarthworksError(fmt::format("the {} {}", part_, text));
+  }
+
+  /// The place of a point of the profile that x means: a toe at 26.751 m that was written as 26.75.
+  double at_point_near(double x) const {
+    constexpr double rounding = 0.01;  // m
+    double nearest = x, gap = rounding;
+    for (const Vec2& point : profile_.points)
+      if (std::abs(point.x() - x) <= gap) {
+        nearest = point.x();
+        gap = std::abs(point.x() - x);
+      }
+    return nearest;
   }
 
   /// The first point to the right of x.

@@ -35,8 +35,9 @@ struct EarthworksError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The profile with a ditch, then a bund, as parts `ditch` and `bund`. At an upright face the ground at x is
-/// that to its right. Throws EarthworksError where one begins beside the profile, does not come back to the
+/// The profile with a ditch, then a bund, as parts `ditch` and `bund`. One that begins within 1 cm of a
+/// point of the profile begins at it, because places are rounded. At an upright face the ground at x is that
+/// to its right. Throws EarthworksError where one begins beside the profile, does not come back to the
 /// ground before it ends, or crosses the ground in between, as the bottom of a ditch on a steep slope does.
 Profile with_earthworks(Profile profile, const Earthworks& works);
 

@@ -243,13 +243,14 @@ class PlanDecoder {
   /// The labels of the rows, as an axis of their own.
   void add_labels(const std::vector<std::vector<std::size_t>>& points) {
     if (!rows_ || rows_->labels.empty()) return;
-    SweepAxis axis{.path = "sweep.label", .values = {}, .name = "row"};
+    SweepAxis axis{.path = label_axis, .values = {}, .name = "row"};
     for (std::size_t row = 0; row < rows_->labels.size(); ++row) {
       const std::string& label = rows_->labels[row];
       axis.values.push_back(static_cast<double>(row));
       axis.labels.push_back(unique(label.empty() ? fmt::format("row {}", row + 1) : label, axis.labels));
     }
     plan_.axes.push_back(std::move(axis));
+    for (std::size_t a = 0; a < sweeps_.size(); ++a) plan_.axes[a].is_named = is_of_row(a);
     for (std::size_t p = 0; p < points.size(); ++p)
       plan_.at[p].push_back(static_cast<double>(points[p].front()));
   }

@@ -169,7 +169,7 @@ std::optional<std::vector<Vec3>> only_line(const LayerOf& layer, const std::vect
 
 void add_files_beside(DecodeContext& context, const std::string& file) {
   if (!lower(file).ends_with(".shp")) return;
-  for (const char* ending : {"dbf", "shx", "prj"}) {
+  for (const char* ending : {"dbf", "shx", "prj", "cpg"}) {
     const fs::path beside = fs::path(file).replace_extension(ending);
     if (std::error_code code; fs::exists(fs::path(context.folder) / beside, code))
       context.files[beside.string()] = (fs::path(context.folder) / beside).string();
@@ -267,7 +267,7 @@ std::vector<PlanPolygon> layer_region(DecodeContext& context, const Node& node) 
     const bool is_region =
         part.form == FeatureForm::region || (part.form == FeatureForm::line && is_closed(part.lines[0]));
     if (!is_region) {
-      layer.refuse(fmt::format("has {}, expected polygons",
+      layer.refuse(fmt::format("has {}, expected polygons or closed lines",
                                part.form == FeatureForm::line ? "an open line" : "a point"));
       return {};
     }

@@ -41,7 +41,7 @@ TableText lines_of(const VectorLayer& layer, const std::string& file) {
       return value ? *value : std::string();
     });
   }
-  return {source, true};
+  return {source, true, 0};
 }
 
 }  // namespace

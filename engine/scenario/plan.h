@@ -18,11 +18,15 @@ struct SweepAxis {
   std::string name = {};                 ///< the path with names: "barriers.fence.height"
   std::string unit = {};                 ///< SI: "m", "rad", "1"; of choices empty
   std::vector<std::string> labels = {};  ///< of choices: the text, or the `type` of a section; unique
+  bool is_named = false;                 ///< of a row with a label, which names the point in its place
 
   bool is_choice() const { return !labels.empty(); }
   /// The text of a choice.
   const std::string& label(double value) const { return labels[static_cast<std::size_t>(value)]; }
 };
+
+/// The path of the axis whose values are the labels of the rows of a sweep.
+inline constexpr const char* label_axis = "sweep.label";
 
 /// The result of decoding a scenario file.
 struct Plan {

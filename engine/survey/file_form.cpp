@@ -21,8 +21,8 @@ constexpr Form forms[] = {
      "is a grid of heights: as ground, the terrain `raster` reads it"},
     {"mesh", " .obj .ply .stl .xml ", "is a surface of triangles: as ground, the terrain `mesh` reads it"},
     {"mesh", " .dxf ", "is a drawing of CAD: as ground, the terrain `mesh` reads its 3D faces"},
-    {"points", " .las .laz .xyz ", "is a cloud of points: as ground, the terrain `points` reads it"},
-    {"", " .e57 .pts .ptx ",
+    {"points", " .las .laz .xyz .pts ", "is a cloud of points: as ground, the terrain `points` reads it"},
+    {"", " .e57 .ptx ",
      "is a cloud of points in the form of a scanner: save it as LAS or XYZ, which the terrain `points` "
      "reads"},
     {"", " .dwg ",

@@ -8,11 +8,13 @@
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <stdexcept>
 
 #include "plugin/params.h"
 #include "plugin/words.h"
 #include "survey/file_form.h"
 #include "survey/projection_file.h"
+#include "survey/xyz_lines.h"
 #include "units/units.h"
 
 namespace flyrock {
@@ -223,40 +225,29 @@ class XyzFile : CloudFile {
       ++number;
       if (number == 1 && is_utf16(line)) fail(save_as_utf8);
       if (number == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
-      read_line(line, number);
+      try {
+        if (const std::optional<Vec3> place = lines_.read(line)) add(*place);
+      } catch (const std::invalid_argument& wrong) {
+        throw PluginError(fmt::format("{}: {}:{}: {}", who_, path_, number, wrong.what()));
+      }
     }
     cloud_.all = cloud_.points.size();
     if (cloud_.points.empty()) fail("has no point");
+    if (const std::string wrong = lines_.fault(); !wrong.empty()) fail(wrong);
+    if (const std::string note = lines_.note(); !note.empty()) cloud_.notes.push_back(note);
+    cloud_.plan_unit = lines_.unit();
     return std::move(cloud_);
   }
 
  private:
-  void read_line(std::string_view line, std::int64_t number) {
-    constexpr std::string_view separators = " \t\r,;";
-    std::size_t begin = line.find_first_not_of(separators);
-    if (begin == line.npos || line[begin] == '#' || line.substr(begin).starts_with("//")) return;
-    Vec3 place;
-    for (int k = 0; k < 3; ++k) {
-      const std::size_t end =
-          begin == line.npos ? begin : std::min(line.find_first_of(separators, begin), line.size());
-      const std::string_view word = begin == line.npos ? std::string_view() : line.substr(begin, end - begin);
-      if (!to_number(word, place[k])) {
-        if (number == 1 && k == 0) return;  // heads
-        throw PluginError(fmt::format("{}: {}:{}: expected x, y and z, apart by blanks or commas{}", who_,
-                                      path_, number,
-                                      word.empty() ? ", the line ends before" : ", with decimal points"));
-      }
-      begin = line.find_first_not_of(separators, end);
-    }
-    add(place);
-  }
+  XyzLines lines_;
 };
 
 }  // namespace
 
 bool is_point_cloud(const std::string& path) {
   const std::string ending = ending_of(path);
-  return ending == ".xyz" || ending == ".las" || ending == ".laz";
+  return ending == ".xyz" || ending == ".pts" || ending == ".las" || ending == ".laz";
 }
 
 PointCloud read_point_cloud(const std::string& who, const std::string& path, std::optional<int> of_class) {

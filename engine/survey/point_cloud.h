@@ -17,11 +17,10 @@ struct PointCloud {
   std::vector<std::string> notes;
 };
 
-/// Whether the name of a file is that of a cloud: .xyz, .las, .laz.
+/// Whether the name of a file is that of a cloud: .xyz, .pts, .las, .laz.
 bool is_point_cloud(const std::string& path);
 
-/// Reads a cloud. XYZ: lines of x, y, z and further values, which are passed over, apart by blanks, commas,
-/// semicolons or tabs; a first line of heads, and lines that begin with # or //, are none. LAS 1.2 to 1.4
+/// Reads a cloud. XYZ: lines of numbers, of which three are x, y and z (survey/xyz_lines.h). LAS 1.2 to 1.4
 /// (ASPRS), point formats 0 to 10: places, and the class by which points are chosen (2 is the ground;
 /// withheld points are left out). `of_class`: only these points; an XYZ file has no classes. `who` begins
 /// each error: "plugin points". Throws PluginError; for LAZ with the command that unpacks it.

@@ -36,14 +36,21 @@ TerrainShape3 renamed(TerrainShape3 shape, const std::string& from, const std::s
   return shape;
 }
 
-/// " (its corners look like degrees ...)" of a zone whose numbers are those of longitudes and latitudes.
-std::string hint_of_degrees(const Zone& zone) {
-  std::vector<Vec2> corners;
+/// Where a zone of polygons is, and whether its numbers are those of longitudes and latitudes.
+std::string hint_of_place(const Zone& zone) {
+  std::vector<Vec2> corners = zone.polygon;
   for (const PlanPolygon& polygon : zone.polygons)
     corners.insert(corners.end(), polygon.outline.begin(), polygon.outline.end());
-  const auto is_on_earth = [](const Vec2& p) { return std::abs(p.x()) <= 180 && std::abs(p.y()) <= 90; };
-  const bool are = !corners.empty() && std::all_of(corners.begin(), corners.end(), is_on_earth);
-  return are ? "; its corners may be in degrees, expected metres of the system of the terrain" : "";
+  if (corners.empty()) return "";
+  Vec2 low = corners.front(), high = low;
+  for (const Vec2& corner : corners) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  const bool is_on_earth = low.x() >= -180 && high.x() <= 180 && low.y() >= -90 && high.y() <= 90;
+  return fmt::format(
+      "; it spans x {:.10g} to {:.10g} and y {:.10g} to {:.10g}{}", low.x(), high.x(), low.y(), high.y(),
+      is_on_earth ? ", which may be degrees, expected metres of the system of the terrain" : "");
 }
 
 /// Refuses a zone that has no part of a terrain after it was cut out of it.
@@ -52,7 +59,7 @@ void refuse_if_empty(const std::vector<Zone>& zones, const Zone& zone, bool has_
   throw ScenarioError(fmt::format("terrain.zones.{}", &zone - zones.data()),
                       fmt::format("the zone `{}` covers nothing of the terrain: expected a region on it that "
                                   "holds the middle of a segment, triangle or cell{}",
-                                  zone.name, hint_of_degrees(zone)));
+                                  zone.name, hint_of_place(zone)));
 }
 
 bool has_part(const Plane& plane, const std::string& name) { return plane.parts.front() == name; }

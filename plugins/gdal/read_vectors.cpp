@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <memory>
 #include <set>
 
@@ -63,8 +64,8 @@ std::string code_of(OGRSpatialReferenceH system) {
 /// Adds the parts of one layer.
 class LayerReader {
  public:
-  LayerReader(OGRLayerH layer, const std::string& drawing_layer, VectorLayer& found)
-      : layer_(layer), drawing_layer_(drawing_layer), found_(found) {}
+  LayerReader(OGRLayerH layer, bool is_drawing, const std::string& drawing_layer, VectorLayer& found)
+      : layer_(layer), is_drawing_(is_drawing), drawing_layer_(drawing_layer), found_(found) {}
 
   std::string read(const std::string& crs) {
     const OGRFeatureDefnH definition = OGR_L_GetLayerDefn(layer_);
@@ -125,10 +126,25 @@ class LayerReader {
                      std::abs(extent.MaxY)}) > 360;
   }
 
+  /// Of a drawing: whether an entity is of the layer and has a place in the model, as labels and sheets of
+  /// paper have none.
   bool is_wanted(OGRFeatureH feature) const {
-    if (drawing_layer_.empty()) return true;
-    const int field = OGR_F_GetFieldIndex(feature, layer_of_drawing);
-    return field >= 0 && drawing_layer_ == OGR_F_GetFieldAsString(feature, field);
+    if (!is_drawing_) return true;
+    const OGRGeometryH place = OGR_F_GetGeometryRef(feature);
+    const bool is_label =
+        has_value(feature, "Text") && place && wkbFlatten(OGR_G_GetGeometryType(place)) == wkbPoint;
+    if (is_label || text_of(feature, "PaperSpace") == "1") return false;
+    return drawing_layer_.empty() || drawing_layer_ == text_of(feature, layer_of_drawing);
+  }
+
+  static bool has_value(OGRFeatureH feature, const char* name) {
+    const int field = OGR_F_GetFieldIndex(feature, name);
+    return field >= 0 && OGR_F_IsFieldSetAndNotNull(feature, field);
+  }
+
+  static std::string text_of(OGRFeatureH feature, const char* name) {
+    return has_value(feature, name) ? OGR_F_GetFieldAsString(feature, OGR_F_GetFieldIndex(feature, name))
+                                    : "";
   }
 
   std::string add(OGRFeatureH feature) {
@@ -201,6 +217,7 @@ class LayerReader {
   }
 
   OGRLayerH layer_;
+  bool is_drawing_;
   const std::string& drawing_layer_;
   VectorLayer& found_;
   std::unique_ptr<void, DestroyTransform> transform_;
@@ -221,12 +238,30 @@ std::vector<std::string> drawing_layers(OGRLayerH layer) {
   return {names.begin(), names.end()};
 }
 
+/// Whether a file is a DXF of AutoCAD 2007 (AC1021) or later, whose text is UTF-8 whatever code page its head
+/// names; GDAL goes by the code page.
+bool is_drawing_in_utf8(const std::string& path) {
+  constexpr std::streamsize head_size = 4096;
+  constexpr std::string_view variable = "$ACADVER", number = "AC", first = "AC1021";
+  std::string head(head_size, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), head_size);
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  const std::size_t at = head.find(variable);
+  const std::size_t version = at == head.npos ? at : head.find(number, at + variable.size());
+  return version != head.npos && std::string_view(head).substr(version, first.size()) >= first;
+}
+
 std::string read_file(const std::string& path, const std::string& name, const std::string& crs,
                       VectorLayer& found, std::vector<std::string>& names) {
   GDALAllRegister();
+  CPLSetThreadLocalConfigOption("DXF_ENCODING", is_drawing_in_utf8(path) ? "UTF-8" : nullptr);
   const std::unique_ptr<void, CloseVectors> dataset(
       GDALOpenEx(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
-  if (!dataset) return "is no file of layers that can be read: it is damaged, or of another format";
+  if (!dataset)
+    return "is no file of layers that can be read: it is damaged, or of another format, such as DWG or "
+           "binary "
+           "DXF: save it as GeoPackage, GeoJSON, or DXF in text";
   const bool is_drawing = std::string(GDALGetDriverShortName(GDALGetDatasetDriver(dataset.get()))) == "DXF";
   std::vector<std::string> all;
   OGRLayerH chosen = nullptr;
@@ -250,9 +285,8 @@ std::string read_file(const std::string& path, const std::string& name, const st
     chosen = GDALDatasetGetLayer(dataset.get(), 0);
   }
   found.name = is_drawing && !name.empty() ? name : OGR_L_GetName(chosen);
-  static const std::string any;
   CPLErrorReset();
-  return LayerReader(chosen, is_drawing ? name : any, found).read(crs);
+  return LayerReader(chosen, is_drawing, name, found).read(crs);
 }
 
 }  // namespace

@@ -173,7 +173,7 @@ std::string cyrillic_drawing() {
 }
 
 TEST_CASE("the archive with GDAL needs no GDAL, PROJ or character sets of the system", "[heavy]") {
-  if (!has_gdal()) return;
+  if (skips_without_gdal()) return;
   const Folder folder;
   // A root of nothing but a shell with its C library, the archive and a site.
   if (shell(folder, "mkdir -p root/proc && unshare --map-root-user --mount mount --rbind /proc root/proc")

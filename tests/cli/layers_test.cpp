@@ -109,10 +109,6 @@ void has(const std::string& text, const std::string& piece) {
   CHECK(text.find(piece) != std::string::npos);
 }
 
-bool has_module() {
-  return fs::exists(fs::path(FLYROCK_BINARY).parent_path().parent_path() / "lib/flyrock/flyrock_gdal.so");
-}
-
 std::string where(const std::string& file, const char* layer) {
   return "{ layer: " + file + ", where: { Layer: " + layer + " } }";
 }
@@ -143,7 +139,7 @@ double worst_of(const Folder& folder, const std::string& name) {
 }  // namespace
 
 TEST_CASE("without the module of GDAL each layer is refused in one line with the package and a conversion") {
-  if (has_module()) return;
+  if (has_gdal()) return;
   const Folder folder;
   write_slope(folder);
   for (const std::string ending : {"gpkg", "shp", "kml", "dxf", "geojson"}) {
@@ -155,10 +151,14 @@ TEST_CASE("without the module of GDAL each layer is refused in one line with the
     CHECK(check.err.find("install its package flyrock-gdal") != std::string::npos);
     CHECK(check.err.find("ogr2ogr -t_srs EPSG:NUMBER layer.geojson site." + ending) != std::string::npos);
   }
+  // One fault is one error.
+  const std::string of_release =
+      refusal_of(folder, scenario(soft_points, road_points, "{ layer: site.gpkg }"));
+  CHECK(of_release.find("at least two points") == std::string::npos);
 }
 
 TEST_CASE("without the module of GDAL a drawing as terrain is refused with the package and a conversion") {
-  if (has_module()) return;
+  if (has_gdal()) return;
   const Folder folder;
   folder.write("pit.dxf", "0\nEOF\n");
   std::string text = scenario(soft_points, road_points, crest_points);
@@ -173,7 +173,7 @@ TEST_CASE("without the module of GDAL a drawing as terrain is refused with the p
 
 TEST_CASE(
     "zones, releases and gates stop the same rocks at the same places, whatever the form of their layer") {
-  if (!has_module()) return;
+  if (skips_without_gdal()) return;
   const Folder folder;
   write_slope(folder);
   write_site(folder);
@@ -214,8 +214,9 @@ TEST_CASE(
 TEST_CASE("layers by the conventions of 40 formats and options stop the same rocks at the same places",
           "[heavy]") {
   const Folder folder;
-  if (!has_module() || shell(folder, "ogr2ogr --version").code != 0) {
-    std::cout << "SKIPPED: needs the module of GDAL and ogr2ogr\n";
+  if (skips_without_gdal()) return;
+  if (shell(folder, "ogr2ogr --version").code != 0) {
+    std::cout << "SKIPPED: ogr2ogr is not installed (Debian: gdal-bin)\n";
     return;
   }
   constexpr double same = 1e-6, through_degrees = 1e-2, rounded = 5e-2;  // m
@@ -290,7 +291,7 @@ TEST_CASE("layers by the conventions of 40 formats and options stop the same roc
 }
 
 TEST_CASE("3D faces of a drawing are the ground of the same mesh, in whatever order their corners are") {
-  if (!has_module()) return;
+  if (skips_without_gdal()) return;
   const Folder folder;
   write_slope(folder);
   const std::string points = scenario(soft_points, road_points, crest_points);
@@ -313,8 +314,36 @@ TEST_CASE("3D faces of a drawing are the ground of the same mesh, in whatever or
   CHECK(run_drawing("layers", below + face_3d("PIT", {0, 1, 2, 3}), ", surface: PIT") < 1e-9);
 }
 
+TEST_CASE(
+    "of a drawing, labels and sheets of paper are no places, and names of layers are UTF-8 since 2007") {
+  if (skips_without_gdal()) return;
+  const Folder folder;
+  write_slope(folder);
+  const auto polyline = [](const std::string& layer, const std::string& more = "") {
+    std::string text =
+        "0\nLWPOLYLINE\n100\nAcDbEntity\n8\n" + layer + "\n" + more + "100\nAcDbPolyline\n90\n4\n70\n1\n";
+    for (const char* place : {"2600020 1200000", "2600040 1200000", "2600040 1200060", "2600020 1200060"}) {
+      const std::string words = place;
+      text += "10\n" + words.substr(0, 7) + "\n20\n" + words.substr(8) + "\n";
+    }
+    return text;
+  };
+  const std::string layer = "B\xc3\xb6schung",
+                    label = "0\nTEXT\n8\n" + layer + "\n10\n2600030\n20\n1200030\n30\n0\n40\n1\n1\nsoft\n";
+  folder.write("site.dxf",
+               "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1024\n9\n$DWGCODEPAGE\n3\nANSI_1252\n0\nENDSEC\n"
+               "0\nSECTION\n2\nENTITIES\n" +
+                   polyline(layer) + label + polyline(layer, "67\n1\n") + "0\nENDSEC\n0\nEOF\n");
+  folder.write("points.yaml", scenario(soft_points, road_points, crest_points));
+  REQUIRE(call(folder, "run points.yaml --quiet -o points").code == 0);
+  folder.write("dxf.yaml", scenario("{ layer: site.dxf, name: " + layer + " }", road_points, crest_points));
+  CHECK(worst_of(folder, "dxf") < 1e-9);
+  const Output check = call(folder, "check dxf.yaml");
+  has(check.out, ": 1 polygon, no system of its own");
+}
+
 TEST_CASE("a drawing without 3D faces, or without a layer, says so, and other entities are counted") {
-  if (!has_module()) return;
+  if (skips_without_gdal()) return;
   const Folder folder;
   const std::string line = "0\nLINE\n8\nROAD\n10\n0\n20\n0\n30\n0\n11\n1\n21\n1\n31\n1\n";
   const struct {
@@ -339,7 +368,7 @@ TEST_CASE("a drawing without 3D faces, or without a layer, says so, and other en
 }
 
 TEST_CASE("each value of an attribute is a zone or a gate of its own") {
-  if (!has_module()) return;
+  if (skips_without_gdal()) return;
   const Folder folder;
   write_slope(folder);
   write_site(folder);
@@ -387,7 +416,7 @@ TEST_CASE("each value of an attribute is a zone or a gate of its own") {
 }
 
 TEST_CASE("the attributes of a layer are a table: its joints are those of the same CSV") {
-  if (!has_module()) return;
+  if (skips_without_gdal()) return;
   const Folder folder;
   std::string csv = "dip_deg,dip_direction_deg,note\n", features;
   for (int i = 0; i < 24; ++i) {
@@ -419,7 +448,7 @@ TEST_CASE("the attributes of a layer are a table: its joints are those of the sa
 }
 
 TEST_CASE("a layer that fits not says why, and what to write") {
-  if (!has_module()) return;
+  if (skips_without_gdal()) return;
   const Folder folder;
   write_slope(folder);
   write_site(folder);
@@ -429,7 +458,7 @@ TEST_CASE("a layer that fits not says why, and what to write") {
   has(said(where("site.geojson", "sofd")), "has no feature whose `Layer` is `sofd`, did you mean `soft`?");
   has(said("{ layer: site.geojson, where: { layer: soft } }"),
       "has no attribute `layer`, did you mean `Layer`?");
-  has(said(where("site.geojson", "road")), "has an open line, expected polygons");
+  has(said(where("site.geojson", "road")), "has an open line, expected polygons or closed lines");
   has(said("{ layer: site.geojson, name: zones }"), "has no layer `zones`, it has `site`");
   has(said(where("site.geojson", "soft"), ""),
       "is in EPSG:2056, the terrain does not say its system: write `crs: EPSG:NUMBER`");
@@ -468,7 +497,7 @@ TEST_CASE("a section is cut along a line of two places, or of a layer, as from i
       "stands in place of `from` and `to`, expected one of both");
   has(said("line: [[2600002, 1200005], [2600030, 1200005], [2600070, 1200050]]"),
       "has 3 points, expected two: a section is straight");
-  if (!has_module()) return;
+  if (skips_without_gdal()) return;
   const std::string layer = "[[2600002,1200005],[2600070,1200050]]";
   folder.write(
       "sections.geojson",
@@ -478,7 +507,7 @@ TEST_CASE("a section is cut along a line of two places, or of a layer, as from i
 }
 
 TEST_CASE("a profile is cut along a line with heights") {
-  if (!has_module()) return;
+  if (skips_without_gdal()) return;
   const Folder folder;
   folder.write(
       "line.geojson",

@@ -62,7 +62,7 @@ std::string written_out(std::string text) {
 
 TEST_CASE("a workbook and a GeoPackage lead to the page of a permit, as your-own-terrain.md says", "[slow]") {
   const fs::path bin = fs::path(FLYROCK_BINARY).parent_path();
-  if (!has_gdal()) return;
+  if (skips_without_gdal()) return;
   const Folder folder;
   const std::string page = read(FLYROCK_SOURCE_DIR "/docs/your-own-terrain.md");
   const std::string scenario = block_of(page, "# blast_24.yaml");

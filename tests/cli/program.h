@@ -50,12 +50,15 @@ class Folder {
   fs::path path_;
 };
 
-/// Whether the program reads the formats of GDAL; says SKIPPED where it does not.
+/// Whether the program reads and writes the formats of GDAL.
 inline bool has_gdal() {
-  const bool there =
-      fs::exists(fs::path(FLYROCK_BINARY).parent_path().parent_path() / "lib/flyrock/flyrock_gdal.so");
-  if (!there) std::cout << "SKIPPED: built without GDAL\n";
-  return there;
+  return fs::exists(fs::path(FLYROCK_BINARY).parent_path().parent_path() / "lib/flyrock/flyrock_gdal.so");
+}
+
+/// The same, and says SKIPPED where it does not.
+inline bool skips_without_gdal() {
+  if (!has_gdal()) std::cout << "SKIPPED: built without GDAL\n";
+  return !has_gdal();
 }
 
 struct Output {

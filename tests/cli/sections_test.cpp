@@ -52,7 +52,11 @@ TEST_CASE("sections of a workbook are the points of a sweep, named by their lett
   const Output run = call(folder, "run all.yaml --quiet -o all");
   INFO(run.err);
   REQUIRE(run.code == 0);
-  const std::string page = read(folder.path() / "all/report.html");
+  const std::string answer = Json::parse(read(folder.path() / "all/summary.json"))["answer"].dump();
+  INFO(answer);
+  CHECK(answer.find("(B)") != std::string::npos);
+  CHECK(answer.find("pit.xlsx") == std::string::npos);
+  CHECK(call(folder, "check all.yaml").out.find("terrain at B: 4 points, -2 to 20 m\n") != std::string::npos);
   folder.write("b.yaml", scenario("type: profile, file: \"pit.xlsx#B\", material: rock"));
   REQUIRE(call(folder, "run b.yaml --quiet -o b --set gates.road.x=35").code == 0);
   const Json all = points_of(folder, "all");
@@ -92,6 +96,20 @@ TEST_CASE("a ditch and a bund on a surveyed profile hold rocks back, on a sectio
       call(folder, "check works.yaml --set \"terrain.bund.height={ sweep: [1 m, 2 m, 3 m] }\"");
   INFO(swept.err);
   CHECK(swept.out.find("at each of 3 sweep points") != std::string::npos);
+}
+
+TEST_CASE("a ditch at the rounded place of a toe begins at the toe") {
+  const Folder folder;
+  folder.write("a.csv", "-20,20\n0,20\n20.004,0\n100,0\n");
+  for (const double x : {20.0, 20.004, 20.01}) {
+    folder.write("s.yaml",
+                 scenario(fmt::format("type: profile, file: a.csv, material: rock, ditch: {{ x: {}, "
+                                      "width: 4, depth: 2 m }}, materials: {{ ditch: sand }}",
+                                      x)));
+    const Output check = call(folder, "check s.yaml");
+    INFO(x << check.err);
+    CHECK(check.code == 0);
+  }
 }
 
 TEST_CASE("earthworks say what they need, and benches keep their own") {

@@ -82,8 +82,11 @@ const with_unit = (text, unit) => (unit ? `${text} ${unit}` : text);
 /** "face_angle in deg": a name with the unit of its numbers. */
 const in_unit = (name, unit) => (unit ? `${name} in ${unit}` : name);
 const at_text = (axis, point) => (is_choice(axis) ? point.at[axis.path] : with_unit(show(at_axis(axis, point)), axis.unit));
+/** The values of a point, each after the name of its axis; of a row of a sweep its label alone. */
+const point_values = (point, name_of) => data.axes.filter((axis) => !axis.is_named)
+  .map((axis) => (axis.path === "sweep.label" ? "" : name_of(axis)) + at_text(axis, point)).join(", ");
 const point_name = (point) => {
-  const at = data.axes.map((axis) => `${axis.name} = ${at_text(axis, point)}`).join(", ");
+  const at = point_values(point, (axis) => `${axis.name} = `);
   return `point ${point.point}${at ? `: ${at}` : ""}`;
 };
 /** A gate or barrier as the shown group of rocks meets it. */

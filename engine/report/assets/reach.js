@@ -1,7 +1,7 @@
 // Launch models side by side: what each launches with, how far its rocks went, and how far its speeds reach.
 
 const most_points = 4;  // of a sweep, side by side
-const short_name = (point) => data.axes.map((axis) => `${axis.path.split(".").pop()} ${at_text(axis, point)}`).join(", ");
+const short_name = (point) => point_values(point, (axis) => `${axis.path.split(".").pop()} `);
 const shroud_lines = { p50: "dash", p95: "dashdot", max: "dot" };
 
 /** The shrouds of the group shown. */

@@ -44,7 +44,7 @@ function draw_points(node, points, group) {
     const place = cell_of(i, points.length, columns), r = runouts[i], p95 = point.rocks[group].runout.p95;
     layout[`xaxis${nth(i)}`] = { ...axis(""), domain: place.x, anchor: `y${nth(i)}`, range: [0, far], nticks: 5, title: i + columns >= points.length ? { text: `${runout_short} in m`, font: { size: 11 } } : undefined };
     layout[`yaxis${nth(i)}`] = { ...axis(""), domain: place.y, anchor: `x${nth(i)}`, range: [0, 1.05 * high], nticks: 4, showticklabels: i % columns === 0, title: i % columns === 0 ? { text: "% per m", font: { size: 11 } } : undefined };
-    const at = data.axes.map((a) => at_text(a, point)).join(", "), name = at.length > 32 ? "" : at;  // the select above has all of it
+    const at = point_values(point, () => ""), name = at.length > 32 ? "" : at;  // the select above has all of it
     layout.annotations.push({ x: place.x[0], y: place.y[1], xref: "paper", yref: "paper", xanchor: "left", yanchor: "bottom", showarrow: false, font: { size: 11 },
       text: `<b>${point.point}</b> ${name}${p95 === null ? "" : `; p95 ${point.rocks[group].runout.lower_bounds.includes("p95") ? "≥ " : ""}${show(p95)} m`}` });
     if (p95 !== null) layout.shapes.push({ type: "line", xref: `x${nth(i)}`, yref: `y${nth(i)} domain`, x0: p95, x1: p95, y0: 0, y1: 1, line: { color: colour.vermillion, width: 1.5, dash: "dash" } });

@@ -134,11 +134,11 @@ Json cell_data(const PointResult& point) {
   return {{"cell", size->cell}, {"p5", size->p5}, {"p50", size->p50}};
 }
 
-/// For each axis of a sweep: { path, unit, per_si }.
+/// For each axis of a sweep: { path, name, is_named, unit, per_si }.
 Json axes_data(const Plan& plan) {
   Json list = Json::array();
   for (const SweepAxis& axis : plan.axes) {
-    Json line = {{"path", axis.path}, {"name", axis.name}};
+    Json line = {{"path", axis.path}, {"name", axis.name}, {"is_named", axis.is_named}};
     line.update(unit_data(axis.unit));
     list.push_back(std::move(line));
   }

@@ -348,14 +348,20 @@ std::string assumed_trees(const Plan& plan) {
 }
 
 std::string surveyed_ground(const Plan& plan) {
-  std::vector<std::string> lines;
+  std::vector<std::string> grounds;  // of the points
   for (const Scenario& point : plan.points) {
     const TerrainPlan& terrain = point.terrain;
-    if (terrain.survey.empty()) continue;
-    std::string line =
-        fmt::format("terrain: {}{}{}", terrain.survey, terrain.crs.empty() ? "" : ", ", terrain.crs);
-    if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));
+    grounds.push_back(terrain.survey.empty() ? ""
+                                             : fmt::format("{}{}{}", terrain.survey,
+                                                           terrain.crs.empty() ? "" : ", ", terrain.crs));
   }
+  const bool is_one = std::all_of(grounds.begin(), grounds.end(),
+                                  [&](const std::string& ground) { return ground == grounds.front(); });
+  std::vector<std::string> lines;
+  for (std::size_t p = 0; p < (is_one ? 1 : grounds.size()); ++p)
+    if (!grounds[p].empty())
+      lines.push_back(is_one ? fmt::format("terrain: {}", grounds[p])
+                             : fmt::format("terrain at {}: {}", point_text(plan, p), grounds[p]));
   return fmt::format("{}", fmt::join(lines, "\n"));
 }
 

@@ -70,13 +70,15 @@ std::string value_text(const SweepAxis& axis, double value) {
 
 namespace {
 
-/// The values of a point, each after the name of its axis and `between`.
+/// The values of a point, each after the name of its axis and `between`; of a row its label alone.
 template <class NameOf>
 std::string values_text(const Plan& plan, std::size_t point, const char* between, NameOf name_of_axis) {
   std::vector<std::string> values;
   for (std::size_t a = 0; a < plan.axes.size(); ++a) {
     const SweepAxis& axis = plan.axes[a];
-    values.push_back(name_of_axis(axis.name) + between + value_text(axis, plan.at[point][a]));
+    const std::string value = value_text(axis, plan.at[point][a]);
+    if (axis.is_named) continue;
+    values.push_back(axis.path == label_axis ? value : name_of_axis(axis.name) + between + value);
   }
   return fmt::format("{}", fmt::join(values, ", "));
 }

@@ -32,7 +32,7 @@ std::string display_per_trial(const Shares& shares);
 
 /// "2 m", "coulomb": a value of an axis of a sweep, in the unit that people read.
 std::string value_text(const SweepAxis& axis, double value);
-/// "materials.rock.friction.mu = 0.2": a point of a sweep by its values.
+/// "materials.rock.friction.mu = 0.2": a point of a sweep by its values, or by the label of its row.
 std::string point_text(const Plan& plan, std::size_t point);
 /// "mu 0.2": the same within a sentence.
 std::string brief_point_text(const Plan& plan, std::size_t point);

@@ -74,6 +74,13 @@ void note_single_precision(MeshFile& file) {
       step, near));
 }
 
+void judge_digits(const std::string& plugin, const std::string& path, const WrittenDigits& digits,
+                  MeshFile& file) {
+  if (const std::string wrong = digits.fault(); !wrong.empty())
+    throw PluginError(fmt::format("plugin {}: {}: {}", plugin, path, wrong));
+  if (std::string note = digits.note(); !note.empty()) file.notes.push_back(std::move(note));
+}
+
 MeshFile read_mesh(const std::string& plugin, const std::string& path, PartsOf parts) {
   const std::string ending = ending_of(path);
   if (ending == ".obj") return read_obj(plugin, path, parts);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/mesh.h"
+#include "survey/written_digits.h"
 
 namespace flyrock::plugins {
 
@@ -61,6 +62,11 @@ std::string add_fan(MeshFile& file, const std::vector<int>& face, int line);
 
 /// Adds a note where numbers of single precision are too coarse for the coordinates of a mesh.
 void note_single_precision(MeshFile& file);
+
+/// Adds a note where a text has too few digits for its coordinates; throws PluginError where they are no
+/// ground.
+void judge_digits(const std::string& plugin, const std::string& path, const WrittenDigits& digits,
+                  MeshFile& file);
 
 /// Reads a file whose name ends in .obj, .ply or .stl.
 MeshFile read_mesh(const std::string& plugin, const std::string& path, PartsOf parts = PartsOf::either);

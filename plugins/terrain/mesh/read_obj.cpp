@@ -50,6 +50,10 @@ class CheckedLines : public std::streambuf {
   /// The line that was handed on last, from 1.
   int line() const { return line_; }
 
+  /// The place of the last line `v`. tinyobjloader rounds each digit, to some 1e-14 of a number.
+  const Vec3& vertex() const { return vertex_; }
+  const WrittenDigits& digits() const { return digits_; }
+
   [[noreturn]] void fail(const std::string& text) const {
     throw PluginError(fmt::format("plugin {}: {}:{}: {}", plugin_, path_, line_, text));
   }
@@ -107,8 +111,12 @@ class CheckedLines : public std::streambuf {
   void check_vertex(const std::vector<std::string_view>& words) {
     if (words.size() < 4) fail(fmt::format("a vertex has {} numbers, expected x, y and z", words.size() - 1));
     double number = 0;
-    for (std::size_t i = 1; i < words.size(); ++i)
+    for (std::size_t i = 1; i < words.size(); ++i) {
       if (!to_number(words[i], number)) fail(fmt::format("`{}` is not a number", words[i]));
+      if (i > 3) continue;
+      vertex_[static_cast<int>(i) - 1] = number;
+      digits_.add(static_cast<int>(i) - 1, words[i]);
+    }
     ++vertices_;
   }
 
@@ -130,6 +138,8 @@ class CheckedLines : public std::streambuf {
   std::ifstream file_;
   int lines_read_ = 0, line_ = 0;
   int vertices_ = 0;
+  Vec3 vertex_ = Vec3::Zero();
+  WrittenDigits digits_;
 };
 
 /// What the callbacks fill.
@@ -188,8 +198,8 @@ MeshFile read_obj(const std::string& plugin, const std::string& path, PartsOf pa
   CheckedLines text(plugin, path);
   Reading reading{text, file};
   tinyobj::callback_t callbacks;
-  callbacks.vertex_cb = [](void* user, double x, double y, double z, double) {
-    of(user).file.mesh.vertices.emplace_back(x, y, z);
+  callbacks.vertex_cb = [](void* user, double, double, double, double) {
+    of(user).file.mesh.vertices.push_back(of(user).text.vertex());
   };
   callbacks.index_cb = [](void* user, tinyobj::index_t* corners, int count) {
     of(user).add_face(corners, count);
@@ -211,6 +221,7 @@ MeshFile read_obj(const std::string& plugin, const std::string& path, PartsOf pa
   if (!tinyobj::LoadObjWithCallback(stream, callbacks, &reading, nullptr, nullptr, &error) || !error.empty())
     text.fail(error.empty() ? "is no OBJ file" : error);
   if (file.mesh.triangles.empty()) text.fail_in_file("has no faces, expected lines that begin with `f`");
+  judge_digits(plugin, path, text.digits(), file);
   reading.take_parts(parts);
   file.mesh = welded(std::move(file.mesh));
   return file;

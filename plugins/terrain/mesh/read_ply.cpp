@@ -77,6 +77,7 @@ class PlyFile {
     read_vertices_and_faces();
     refuse_rest();
     if (is_single_precision_) note_single_precision(file_);
+    judge_digits(plugin_, path_, digits_, file_);
     file_.mesh.parts = {""};
     file_.mesh.part.assign(file_.mesh.triangles.size(), 0);
     file_.mesh = welded(std::move(file_.mesh));
@@ -252,6 +253,12 @@ class PlyFile {
     return type.decode(bytes.data());
   }
 
+  double coordinate(int axis, const PlyType& type) {
+    const double value = number(type);
+    if (format_ == Format::text) digits_.add(axis, words_[next_word_ - 1]);
+    return value;
+  }
+
   /// A whole number from 0 to below `end`.
   std::int64_t index(const PlyType& type, double end, const char* what) {
     const double value = number(type);
@@ -331,7 +338,7 @@ class PlyFile {
         if (axis_of[i] < 0)
           pass_over(element_->properties[i]);
         else
-          vertex[axis_of[i]] = number(*element_->properties[i].type);
+          vertex[axis_of[i]] = coordinate(axis_of[i], *element_->properties[i].type);
       end_row();
       if (!vertex.allFinite()) fail_in_row("a coordinate is not finite");
     }
@@ -383,6 +390,7 @@ class PlyFile {
   const PlyElement* element_ = nullptr;
   std::int64_t row_ = 0;  ///< of the element, from 1
   bool is_single_precision_ = false;
+  WrittenDigits digits_;
   MeshFile file_;
 };
 

@@ -92,7 +92,7 @@ void expect(Words& words, std::string_view expected) {
                            : fmt::format("expected `{}`, found `{}`", expected, found));
 }
 
-void read_facet(Words& words, MeshFile& mesh) {
+void read_facet(Words& words, WrittenDigits& digits, MeshFile& mesh) {
   mesh.lines.push_back(static_cast<int>(words.line()));
   expect(words, "normal");
   for (int i = 0; i < 3; ++i) words.next();  // some programs write `nan` for a facet without an area
@@ -101,7 +101,10 @@ void read_facet(Words& words, MeshFile& mesh) {
   std::array<Vec3, 3> corners;
   for (Vec3& corner : corners) {
     expect(words, "vertex");
-    for (int k = 0; k < 3; ++k) corner[k] = words.number("a coordinate");
+    for (int k = 0; k < 3; ++k) {
+      digits.add(k, words.peek());
+      corner[k] = words.number("a coordinate");
+    }
   }
   expect(words, "endloop");
   expect(words, "endfacet");
@@ -111,6 +114,7 @@ void read_facet(Words& words, MeshFile& mesh) {
 /// One or several solids; a name may follow `solid` and `endsolid`, on the same line.
 void read_text(const std::string& plugin, const std::string& path, MeshFile& mesh) {
   Words words("plugin " + plugin, path);
+  WrittenDigits digits;
   expect(words, "solid");
   const auto skip_name = [&words] {
     const std::int64_t line = words.line();
@@ -120,10 +124,10 @@ void read_text(const std::string& plugin, const std::string& path, MeshFile& mes
   while (true) {
     const std::string word = lower(words.next());
     if (word == "facet") {
-      read_facet(words, mesh);
+      read_facet(words, digits, mesh);
     } else if (word == "endsolid") {
       skip_name();
-      if (words.peek().empty()) return;
+      if (words.peek().empty()) return judge_digits(plugin, path, digits, mesh);
       expect(words, "solid");
       skip_name();
     } else {

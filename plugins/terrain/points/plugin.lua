@@ -6,7 +6,7 @@ return fr.plugin {
   doc = "The ground from the points of a laser scan or a survey, in 3D, of one part without a name: the mean height in each cell of a "
     .. "grid, or triangles between the points.",
   params = {
-    file = fr.file { doc = "XYZ (.xyz, .txt: lines of x, y, z) or LAS 1.2 to 1.4 (.las)" },
+    file = fr.file { doc = "XYZ (.xyz, .asc, .txt, .csv, .pts: lines of x, y, z and more, with or without heads such as `id;easting;northing;elevation` and a first line with the count) or LAS 1.2 to 1.4 (.las)" },
     class = fr.integer {
       optional = true,
       min = 0,

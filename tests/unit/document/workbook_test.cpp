@@ -15,7 +15,8 @@ namespace workbook_test {
 const std::vector<TableColumn> hole_columns = {{"hole", {}, true},
                                                {"x", dimension::length},
                                                {"burden", dimension::length, false, true},
-                                               {"time", dimension::time}};
+                                               {"time", dimension::time},
+                                               {"share", dimension::none}};
 
 struct SheetRead {
   std::optional<TextTable> table;
@@ -133,7 +134,10 @@ TEST_CASE("numbers with a comma in cells of text follow the rules of tables") {
 TEST_CASE("a date is no number, in each kind of workbook") {
   const SheetRead date = read_workbook(xlsx_of(
       {{"S", "<sheetData>" + xlsx_row({"burden"}) + R"(<row><c s="1"><v>46354</v></c></row></sheetData>)"}}));
-  CHECK(date.errors == "2:1: `2026-11-28` is not a number, expected `burden`\n");
+  const std::string fault =
+      "2:1: `2026-11-28` is not a number, expected `burden`: the format of the cell is a date, expected one "
+      "of numbers\n";
+  CHECK(date.errors == fault);
   CHECK(date.sheet == "#S");
   const std::string head =
       "<table:table "
@@ -141,8 +145,50 @@ TEST_CASE("a date is no number, in each kind of workbook") {
       "</table:table-row><table:table-row>";
   CHECK(
       fault_of(ods_of(head + R"(<table:table-cell office:value-type="date" office:date-value="2026-11-28"/>)"
-                             "</table:table-row></table:table>")) ==
-      "2:1: `2026-11-28` is not a number, expected `burden`\n");
+                             "</table:table-row></table:table>")) == fault);
+}
+
+TEST_CASE("a share that a sheet shows as 25% is a quarter, and no mass") {
+  const auto sheet = [](const std::string& head) {
+    return xlsx_of({{"S", "<sheetData>" + xlsx_row({"burden", head}) +
+                              R"(<row><c><v>1</v></c><c s="3"><v>0.25</v></c></row></sheetData>)"}});
+  };
+  for (const char* head : {"share", "share (%)"}) {
+    const SheetRead read = read_workbook(sheet(head));
+    INFO(read.errors);
+    REQUIRE(read.table);
+    CHECK(read.table->number(0, "share") == 0.25);
+  }
+  CHECK(fault_of(sheet("x")) == "2:3: `25%` is not a number, expected `x`\n");
+  CHECK(fault_of(xlsx_of({{"S", xlsx_sheet({{"hole", "burden"}, {"(m)", "(m)"}, {"1", "2"}})}})) ==
+        "2:5: `(m)` is a unit, expected it in the head of its column: `burden [m]`\n");
+}
+
+TEST_CASE("rows that a sheet hides count, and are counted") {
+  const std::string head = xlsx_row({"hole", "burden"}), row = xlsx_row({"1", "2"});
+  const std::string hidden = "<row hidden=\"1\">" + row.substr(5);
+  const SheetRead xlsx =
+      read_workbook(xlsx_of({{"S", "<sheetData>" + head + row + hidden + "</sheetData>"}}));
+  REQUIRE(xlsx.table);
+  CHECK(xlsx.table->summary().starts_with("2 rows, 1 of them hidden in the sheet; "));
+  const auto ods_row = [](const std::string& attribute, const std::string& value) {
+    return "<table:table-row" + attribute + "><table:table-cell><text:p>" + value +
+           "</text:p></table:table-cell></table:table-row>";
+  };
+  const SheetRead ods =
+      read_workbook(ods_of("<table:table table:name=\"S\">" + ods_row("", "burden") + ods_row("", "2") +
+                           ods_row(" table:visibility=\"filter\"", "3") +
+                           ods_row(" table:visibility=\"collapse\"", "") + "</table:table>"));
+  REQUIRE(ods.table);
+  CHECK(ods.table->summary().starts_with("2 rows, 1 of them hidden in the sheet; "));
+}
+
+TEST_CASE("a page, an XML, a DIF or SYLK file of a spreadsheet program is no table of text") {
+  for (const std::string text : {"<html><table>", "\xef\xbb\xbf<?xml version=\"1.0\"?>", "ID;PSCALC3\n",
+                                 "TABLE\r\n0,1\r\n\"EXCEL\"\r\n", "{\\rtf1"}) {
+    INFO(text);
+    CHECK(fault_of(text).find("is no table of text") != std::string::npos);
+  }
 }
 
 TEST_CASE("merged cells and formulas without a value are refused with their row") {

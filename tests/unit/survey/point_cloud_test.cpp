@@ -75,19 +75,41 @@ TEST_CASE("a cloud that is cut, compressed or of another kind is refused in one 
 }
 
 TEST_CASE("XYZ has heads, comments, further values and any separator") {
-  for (const char* text : {"x y z r g b\n1 2 3 255 0 0\n4 5 6 0 0 0\n", "# scan\n1,2,3\n4,5,6\n",
-                           "\xef\xbb\xbf"
-                           "1;2;3\r\n4;5;6\r\n",
-                           "//X Y Z\n\n1\t2\t3\n4\t5\t6"}) {
+  for (const char* text :
+       {"x y z r g b\n1 2 3 255 0 0\n4 5 6 0 0 0\n", "# scan\n1,2,3\n4,5,6\n",
+        "\xef\xbb\xbf"
+        "1;2;3\r\n4;5;6\r\n",
+        "//X Y Z\n\n1\t2\t3\n4\t5\t6", "2\n1 2 3\n4 5 6\n", "//X;Y;Z\n2\n1;2;3\n4;5;6\n",
+        "1,0;2,0;3,0\n4,0;5,0;6,0\n", "1,0 2,0 3,0 7\n4,0 5,0 6,0 7\n", "1.0, 2.0, 3.0\n4.0, 5.0, 6.0\n",
+        "# id x y in the system of the plan\n1 2 3\n4 5 6\n",
+        "id,Northing (m),Easting (m),RL (m)\nP1,2,1,3\nP2,5,4,6\n", "fid;z;y;x;\n1;3,0;2;1;\n2;6,0;5;4;\n"}) {
     INFO(text);
     const PointCloud cloud = cloud_of("a.xyz", text);
     REQUIRE(cloud.points.size() == 2);
     CHECK(cloud.points[1] == Vec3(4, 5, 6));
   }
+  CHECK(cloud_of("a.xyz", "x_ft y_ft z_ft\n1 2 3\n").plan_unit == "ft");
   CHECK(cloud_fault("a.xyz", "1 2 3\n4 5\n")
             .find(":2: expected x, y and z, apart by blanks or commas, the line ends before") !=
         std::string::npos);
   CHECK(cloud_fault("a.xyz", "1 2 3\n4 x 6\n").find(":2: expected x, y and z") != std::string::npos);
   CHECK(cloud_fault("a.xyz", "1 2 3\n", 2).find("has no classes, leave `class` out") != std::string::npos);
   CHECK(cloud_fault("a.xyz", "x y z\n").find("has no point") != std::string::npos);
+}
+
+TEST_CASE("XYZ whose columns are not sure, or of which points are missing, is refused with the cure") {
+  const std::pair<const char*, const char*> cases[] = {
+      {"ncols 20\n1 2 3\n", ":1: `ncols 20` is no point, and no heads with x, y and z"},
+      {"1 11 12 13\n2 14 15 16\n3 17 18 19\n", "its first column counts the points: write heads"},
+      {"3\n1 2 3\n4 5 6\n", "announces 3 points and has 2: it was cut"},
+      {"id,x,y,z\n1,2,3\n", ":2: the line has 3 values, the heads are 4"},
+      {"x_mm y_mm z_mm\n1 2 3\n", ":1: the heads are in `mm`, expected m or ft"},
+      {"2.60001e+06 1.2e+06 410\n2.60002e+06 1.2e+06 411\n", "they are 100000 apart"},
+  };
+  for (const auto& [text, expected] : cases) {
+    INFO(text);
+    const std::string fault = cloud_fault("a.xyz", text);
+    INFO(fault);
+    CHECK(fault.find(expected) != std::string::npos);
+  }
 }
