@@ -180,11 +180,11 @@ typename World<D>::Outcome World<D>::step(double h, bool cut, bool pass_held) {
   time += h;
   last_step_ = h;
   finish_bodies();
-  gains_.resize(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  gains_.clear();
+  for (std::size_t i = 0; impacts_.empty() && i < bodies.size(); ++i) {  // a jump does not go on as a rate
     typename Body<D>::Rows before;
     before << starts_[i].v, starts_[i].w;
-    gains_[i] = (bodies[i].velocity() - before) / h;
+    gains_.push_back((bodies[i].velocity() - before) / h);
   }
   quality_.count_step(h, new_touch);
   const Outcome outcome = keep(h, new_touch);

@@ -26,7 +26,7 @@ po::options_description fuzz_options() {
                                                   "so many, in place of --seconds")(
       "seed", po::value<std::string>()->default_value("1")->value_name("S"), "of the mutants")(
       "kind", po::value<std::string>()->value_name("K"),
-      "only yaml, lua, plugin, chunk, hdf5, result, arguments, scenes, terrain or tables")(
+      "only yaml, lua, plugin, chunk, hdf5, result, arguments, scenes, terrain, tables, sheets or layers")(
       "number", po::value<std::string>()->value_name("N"),
       "with --kind: one mutant, in this process; its files stay")(
       "output,o", po::value<std::string>()->default_value("out/fuzz")->value_name("DIR"), "what was found");

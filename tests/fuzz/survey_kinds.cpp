@@ -81,10 +81,23 @@ class SheetFiles : public Kind {
   Dictionary dictionary_ = make_dictionary(LuaSession(share_folder()).registry());
 };
 
-/// Layers of a zone, 3D faces of a drawing and clouds of points, whose bytes are damaged.
+/// Layers of a zone, 3D faces of a drawing and clouds of points, whose bytes are damaged; layers of which
+/// each feature is a zone, a gate or a row of a table.
 class LayerFiles : public Kind {
  public:
   void attempt(Dice& dice, Calls& call) override {
+    switch (dice.below(4)) {
+      case 0:
+        return attempt_each(dice, call);
+      case 1:
+        return attempt_table(dice, call);
+      default:
+        return attempt_place(dice, call);
+    }
+  }
+
+ private:
+  void attempt_place(Dice& dice, Calls& call) {
     const std::size_t form = dice.below(6);
     static constexpr const char* endings[] = {"geojson", "dxf", "kml", "las", "xyz", "dxf"};
     const std::string file = fmt::format("site.{}", endings[form]);
@@ -98,9 +111,7 @@ class LayerFiles : public Kind {
                     : faces();
     form == 3 || dice.one_in(2) ? mutate_bytes(bytes, dice) : mutate_text(bytes, dictionary_, dice);
     write_here(file, bytes);
-    write_here("slope.obj",
-               "v 2600000 1200000 40\nv 2600080 1200000 0\nv 2600080 1200060 0\nv 2600000 1200060 40\n"
-               "f 1 2 3\nf 1 3 4\n");
+    write_slope();
     const bool is_cloud = form == 3 || form == 4, is_ground = form >= 3;
     write_here(
         "s.yaml",
@@ -120,7 +131,69 @@ class LayerFiles : public Kind {
     call({"check", "s.yaml"}, ErrorForm::placed);
   }
 
- private:
+  static void write_slope() {
+    write_here("slope.obj",
+               "v 2600000 1200000 40\nv 2600080 1200000 0\nv 2600080 1200060 0\nv 2600000 1200060 40\n"
+               "f 1 2 3\nf 1 3 4\n");
+  }
+
+  /// A zone and a gate for each value of an attribute, whose values, names and geometries are damaged.
+  void attempt_each(Dice& dice, Calls& call) {
+    const bool is_drawing = dice.one_in(4);
+    const std::string file = is_drawing ? "site.dxf" : "site.geojson";
+    std::string bytes = is_drawing ? dxf : features();
+    if (!is_drawing && !dice.one_in(3))
+      change_value(bytes, dice);
+    else
+      dice.one_in(3) ? mutate_bytes(bytes, dice) : mutate_text(bytes, dictionary_, dice);
+    write_here(file, bytes);
+    write_slope();
+    const std::string attribute = is_drawing ? "Layer" : dice.one_in(2) ? "kind" : "number";
+    std::string text =
+        "flyrock: 1\ndimension: 3\nmethod: lumped_mass\nterrain: { type: mesh, file: slope.obj, crs: "
+        "EPSG:2056, "
+        "material: rock, zones: [{ name: soil, polygon: { layer: " +
+        file + ", where: { form: area }, each: " + attribute +
+        " } }] }\ngates: [{ name: road, line: { layer: " + file +
+        ", where: { form: line }, each: " + attribute +
+        " } }]\nmaterials: { rock: { restitution: { type: newton, en: 0.3 }, friction: { type: coulomb, mu: "
+        "0.5 } } }\n"
+        "rocks: [{ name: r, density: 2700, shape: { type: sphere, radius: 0.3 }, release: { x: 2600004, "
+        "y: 1200004, above_ground: 1 } }]\nstop: { time: 1 s }\n";
+    if (is_drawing)
+      for (const char* of_form : {", where: { form: area }", ", where: { form: line }"})
+        text.erase(text.find(of_form), std::string_view(of_form).size());
+    if (dice.one_in(4)) mutate_text(text, dictionary_, dice);
+    write_here("s.yaml", text);
+    call({"check", "s.yaml"}, ErrorForm::placed);
+  }
+
+  /// Gives an attribute of a feature a value of which it is hard to make a name.
+  static void change_value(std::string& bytes, Dice& dice) {
+    static constexpr const char* attributes[] = {"\"scree\"", "\"moss\"",     "\"house\"",
+                                                 "\"road\"",  "\"number\":1", "\"number\":3"};
+    static constexpr const char* values[] = {"null",         "\"\"",      "\" \"",    "\"a b\"",
+                                             "\"a_b\"",      "\"moss\"",  "\"road\"", "\"\\u00e4\"",
+                                             "\"a/b: [c]\"", "\"a\\nb\"", "true",     "-1",
+                                             "1e300",        "0.1",       "[1, 2]",   "{}",
+                                             "\"rock\"",     "\"1\"",     "\"..\"",   "12345678901234567890"};
+    const std::string attribute = attributes[dice.below(std::size(attributes))];
+    const std::string value = values[dice.below(std::size(values))];
+    const std::string changed = attribute.find(':') == attribute.npos ? value : "\"number\":" + value;
+    bytes.replace(bytes.find(attribute), attribute.size(), changed);
+  }
+
+  /// The attributes of a layer as a table of holes.
+  void attempt_table(Dice& dice, Calls& call) {
+    const bool is_dbf = dice.one_in(2);
+    std::string bytes = is_dbf ? dbf_of_holes() : geojson_of_holes();
+    is_dbf || dice.one_in(3) ? mutate_bytes(bytes, dice) : mutate_text(bytes, dictionary_, dice);
+    const std::string file = is_dbf ? "holes.dbf" : "holes.geojson";
+    write_here(file, bytes);
+    write_here("s.yaml", blast_with(file));
+    call({"check", "s.yaml"}, ErrorForm::placed);
+  }
+
   static std::vector<las_files::LasPoint> survey() {
     std::vector<las_files::LasPoint> points;
     for (int row = 0; row < 6; ++row)
@@ -151,6 +224,57 @@ class LayerFiles : public Kind {
         text += "0\nVERTEX\n8\nPIT\n70\n192\n" + place(10, x, y, 10);
     return text + "0\nVERTEX\n8\nPIT\n70\n128\n71\n1\n72\n3\n73\n4\n74\n2\n" + place(10, 0, 0, 0) +
            "0\nSEQEND\n8\nPIT\n0\nENDSEC\n0\nEOF\n";
+  }
+
+  static std::string feature(const std::string& properties, const std::string& geometry) {
+    return R"({"type":"Feature","properties":{)" + properties + R"(},"geometry":)" + geometry + "}";
+  }
+  static std::string collection(const std::vector<std::string>& features) {
+    return R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::2056"}},"features":[)" +
+           fmt::format("{}]}}", fmt::join(features, ","));
+  }
+
+  /// Two zones and two lines with a name and a number each.
+  static std::string features() {
+    const auto area = [](const char* kind, int number, double x) {
+      return feature(
+          fmt::format(R"("form":"area","kind":"{}","number":{})", kind, number),
+          fmt::format(
+              R"({{"type":"Polygon","coordinates":[[[{0},1200000],[{1},1200000],[{1},1200060],[{0},1200060],[{0},1200000]]]}})",
+              x, x + 20));
+    };
+    const auto line = [](const char* kind, int number, double x) {
+      return feature(
+          fmt::format(R"("form":"line","kind":"{}","number":{})", kind, number),
+          fmt::format(R"({{"type":"LineString","coordinates":[[{0},1200002],[{0},1200058]]}})", x));
+    };
+    return collection({area("scree", 1, 2600010), area("moss", 2, 2600035), line("house", 3, 2600060),
+                       line("road", 4, 2600070)});
+  }
+
+  static std::string geojson_of_holes() {
+    std::vector<std::string> holes;
+    for (int i = 0; i < 3; ++i)
+      holes.push_back(feature(fmt::format(R"("hole":"H{}","x":0,"y":{},"burden_m":2.9)", i, 3 * i), "null"));
+    return collection(holes);
+  }
+
+  /// dBASE III: a head, a field of ten letters for each column, rows.
+  static std::string dbf_of_holes() {
+    const std::vector<std::string> names = {"HOLE", "X", "Y", "BURDEN"};
+    constexpr std::size_t width = 10;
+    const std::size_t head = 33 + 32 * names.size(), row = 1 + width * names.size();
+    std::string bytes = std::string("\x03\x7a\x0b\x1c", 4) + workbooks::little_endian(3, 4) +
+                        workbooks::little_endian(head, 2) + workbooks::little_endian(row, 2) +
+                        std::string(20, '\0');
+    for (const std::string& name : names)
+      bytes += name + std::string(11 - name.size(), '\0') + (name == "HOLE" ? "C" : "N") +
+               std::string(4, '\0') + workbooks::little_endian(width, 1) +
+               workbooks::little_endian(name == "HOLE" ? 0 : 3, 1) + std::string(14, '\0');
+    bytes += '\r';
+    for (int i = 0; i < 3; ++i)
+      bytes += fmt::format(" {:<10}{:>10.3f}{:>10.3f}{:>10.3f}", i, 0., 3. * i, 2.9);
+    return bytes + '\x1a';
   }
 
   static constexpr const char* geojson =

@@ -238,8 +238,9 @@ TEST_CASE("a workbook that is cut, damaged, protected or too large is refused in
 }
 
 TEST_CASE("points of a sheet without heads are its columns in their order") {
-  const SheetRead read = read_workbook(
-      xlsx_of({{"S", xlsx_sheet({{"1", "2", "3", "0"}, {"5", "6", "7", "0"}})}}), "", TableForm::points);
+  const SheetRead read =
+      read_workbook(xlsx_of({{"S", xlsx_sheet({{"1", "2", "3", "0", "0.5"}, {"5", "6", "7", "0", "0.5"}})}}),
+                    "", TableForm::points);
   REQUIRE(read.errors == "");
   CHECK(read.table->rows() == 2);
   CHECK(read.table->number(1, "burden") == 7.0);
