@@ -36,7 +36,7 @@ TerrainShape3 renamed(TerrainShape3 shape, const std::string& from, const std::s
   return shape;
 }
 
-/// Where a zone of polygons is, and whether its numbers are those of longitudes and latitudes.
+/// Where a zone of polygons is, and whether the numbers of a file are those of longitudes and latitudes.
 std::string hint_of_place(const Zone& zone) {
   std::vector<Vec2> corners = zone.polygon;
   for (const PlanPolygon& polygon : zone.polygons)
@@ -47,7 +47,8 @@ std::string hint_of_place(const Zone& zone) {
     low = low.cwiseMin(corner);
     high = high.cwiseMax(corner);
   }
-  const bool is_on_earth = low.x() >= -180 && high.x() <= 180 && low.y() >= -90 && high.y() <= 90;
+  const bool is_on_earth =
+      zone.polygon.empty() && low.x() >= -180 && high.x() <= 180 && low.y() >= -90 && high.y() <= 90;
   return fmt::format(
       "; it spans x {:.10g} to {:.10g} and y {:.10g} to {:.10g}{}", low.x(), high.x(), low.y(), high.y(),
       is_on_earth ? ", which may be degrees, expected metres of the system of the terrain" : "");
