@@ -22,11 +22,12 @@ void WrittenDigits::add_power(int axis, std::string_view number) {
     own = {exponent, last, std::string(number)};
 }
 
-/// The axis whose numbers are farthest apart; null: no number has an exponent.
+/// The axis whose numbers are farthest apart; null: no number was cut by a program.
 const WrittenDigits::Axis* WrittenDigits::coarsest() const {
+  constexpr int of_programs = 4;  // decimals at least; 1e5 and 2.5e4 are round numbers of people
   const Axis* found = nullptr;
   for (const Axis& axis : axes_)
-    if (!axis.example.empty() && (!found || axis.finest > found->finest)) found = &axis;
+    if (axis.exponent - axis.finest >= of_programs && (!found || axis.finest > found->finest)) found = &axis;
   return found;
 }
 

@@ -27,7 +27,7 @@ TEST_CASE("numbers that are centimetres or decimetres apart are a note, and fine
   CHECK(coarse.fault() == "");
   CHECK(coarse.note().find("near `6.912000e+05` they are 0.1 apart") != std::string::npos);
   for (const char* fine : {"2600000 2600008.125", "2.600008125e+06", "2.400000e+02 8.000000e+00", "1e3 2e3",
-                           "1e-20 5e-07", "NaN e"}) {
+                           "1e-20 5e-07", "NaN e", "1e5 2.5e4"}) {
     INFO(fine);
     CHECK(digits_of(fine).note() == "");
   }
