@@ -104,7 +104,7 @@ TEST_CASE("XYZ whose columns are not sure, or of which points are missing, is re
       {"3\n1 2 3\n4 5 6\n", "announces 3 points and has 2: it was cut"},
       {"id,x,y,z\n1,2,3\n", ":2: the line has 3 values, the heads are 4"},
       {"x_mm y_mm z_mm\n1 2 3\n", ":1: the heads are in `mm`, expected m or ft"},
-      {"2.60001e+06 1.2e+06 410\n2.60002e+06 1.2e+06 411\n", "they are 100000 apart"},
+      {"2.60001e+06 1.2e+06 410\n2.60002e+06 1.2e+06 411\n", "they are 10 apart"},
   };
   for (const auto& [text, expected] : cases) {
     INFO(text);
